@@ -1,0 +1,146 @@
+//! A layout: the geometry of anchors and punch that both the forecast and the check take.
+
+use crate::problem::Problem;
+use crate::units::shortest;
+
+/// Anchors on a square grid and one punching element, all in metres.
+///
+/// x runs across the twists of the net, y along them (down the slope). The symbols of Pol &
+/// Gabrieli (2021) stand beside the words.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// Side of the square anchor plate, d, m; above 0 and below the spacing. Published range 0.16 to 0.48.
+    pub plate: f64,
+    /// Anchor spacing, which is the side of the square panel, L, m; above 0. Published range 1.25 to 4.5.
+    pub spacing: f64,
+    /// Diameter of the punching element, D, m; above 0 and below the spacing. Published range 0.1 to 2.5.
+    pub punch: f64,
+    /// Offset of the punch from the panel's centre across the twists, e_x, m. Periodic with L.
+    pub ex: f64,
+    /// Offset of the punch from the panel's centre along the twists, e_y, m. Periodic with L.
+    pub ey: f64,
+}
+
+/// The layout at which the published reference values hold: d* = 0.32 m, L* = 3 m, D* = 1 m,
+/// centred (Pol & Gabrieli 2021, appendix).
+pub const REFERENCE: Layout = Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0 };
+
+/// Largest length that is taken for a length and not for a slip of the keyboard, m.
+pub const LARGEST_LENGTH: f64 = 100.0;
+
+impl Layout {
+    /// Checks that the sizes make sense: finite, positive, plate and punch smaller than the spacing.
+    ///
+    /// What is merely outside the published ranges is no error; the forecast lists it.
+    ///
+    /// # Errors
+    /// Every field that is wrong, with its allowed range.
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems = Vec::new();
+        let mut size =
+            |field: &str, symbol_and_words: &str, value: f64, limit: f64, limit_text: String| {
+                if !(value.is_finite() && value > 0.0 && value < limit) {
+                    let why = if !value.is_finite() {
+                        format!("{symbol_and_words} must be a finite number")
+                    } else if value <= 0.0 {
+                        format!("{symbol_and_words} must be above 0")
+                    } else {
+                        format!("{symbol_and_words} is too large")
+                    };
+                    problems.push(
+                        Problem::new(field, why)
+                            .value(length_value(value))
+                            .allowed(format!("above 0, below {limit_text}")),
+                    );
+                }
+            };
+        let sound = self.spacing.is_finite() && self.spacing > 0.0 && self.spacing < LARGEST_LENGTH;
+        let (limit, text) = if sound {
+            (self.spacing, format!("the spacing L = {} m", shortest(self.spacing)))
+        } else {
+            (LARGEST_LENGTH, format!("{} m", shortest(LARGEST_LENGTH)))
+        };
+        size("d", "plate side d", self.plate, limit, text.clone());
+        size(
+            "L",
+            "spacing L",
+            self.spacing,
+            LARGEST_LENGTH,
+            format!("{} m", shortest(LARGEST_LENGTH)),
+        );
+        size("D", "punch diameter D", self.punch, limit, text);
+        for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
+            if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
+                problems.push(
+                    Problem::new(field, format!("offset {field} must be a finite length"))
+                        .value(length_value(value))
+                        .allowed("within half the spacing, -L/2 to L/2")
+                        .advice("larger offsets are the same as a neighbouring cell's"),
+                );
+            }
+        }
+        if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+
+    /// The offsets brought within -L/2 to L/2, which is the same place in a neighbouring cell.
+    pub fn folded(&self) -> (f64, f64) {
+        (fold(self.ex, self.spacing), fold(self.ey, self.spacing))
+    }
+
+    /// Distance from the punch's centre to the nearest anchor plate, m, periodic images included;
+    /// 0 if the centre stands on a plate. Plates stand at the corners of the panel.
+    pub fn distance_to_plate(&self) -> f64 {
+        let (ex, ey) = self.folded();
+        let gap = |e: f64| (self.spacing / 2.0 - e.abs() - self.plate / 2.0).max(0.0);
+        let (gx, gy) = (gap(ex), gap(ey));
+        (gx * gx + gy * gy).sqrt()
+    }
+
+    /// Whether the punch overlaps an anchor plate or its periodic image, where the method does not
+    /// apply: the distance of its centre to the nearest plate is below D/2.
+    pub fn punch_on_plate(&self) -> bool {
+        self.distance_to_plate() < self.punch / 2.0
+    }
+}
+
+fn fold(e: f64, period: f64) -> f64 {
+    if e.abs() <= period / 2.0 { e } else { e - period * (e / period).round() }
+}
+
+fn length_value(metres: f64) -> String {
+    if metres.is_finite() { format!("{} m", shortest(metres)) } else { format!("{metres}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn senseless_sizes_are_errors_with_field_value_and_range() {
+        let wrong = Layout { plate: -0.1, punch: 3.0, ex: f64::NAN, ..REFERENCE };
+        let said: Vec<String> = wrong.check().unwrap_err().iter().map(|p| p.to_string()).collect();
+        assert_eq!(said.len(), 3);
+        assert_eq!(
+            said[0],
+            "d = -0.1 m: plate side d must be above 0; allowed: above 0, below the spacing L = 3.0 m"
+        );
+        assert!(said[1].starts_with("D = 3.0 m: punch diameter D is too large"));
+        assert!(said[2].starts_with("ex = NaN: offset ex must be a finite length"));
+        assert!(REFERENCE.check().is_ok());
+    }
+
+    #[test]
+    fn plates_stand_at_the_corners_and_their_images() {
+        // Worked by hand: L/2 = 1.5, d/2 = 0.16, so a centred punch is 1.34 m from the plate in x and y.
+        assert!((REFERENCE.distance_to_plate() - 1.34 * 2.0_f64.sqrt()).abs() < 1e-12);
+        let corner = Layout { ex: 1.5, ey: -1.5, ..REFERENCE };
+        assert_eq!(corner.distance_to_plate(), 0.0);
+        let image = Layout { ex: 4.5, ey: 1.5, ..REFERENCE };
+        assert!(image.punch_on_plate());
+        let edge = Layout { ex: 1.5, ey: 0.84, ..REFERENCE };
+        assert!((edge.distance_to_plate() - 0.5).abs() < 1e-12);
+        // A centred punch can be on a plate inside the published ranges.
+        let wide = Layout { plate: 0.48, spacing: 1.25, punch: 1.2, ex: 0.0, ey: 0.0 };
+        assert!(wide.punch_on_plate());
+    }
+}

@@ -1,0 +1,193 @@
+//! Mesh types: what a mesh is, its laboratory punch test, its own laboratory-to-field ratios if it
+//! has any, and the wire data that the discrete element check needs.
+//!
+//! - [`MeshType`] and its parts: this file.
+//! - [`catalogue`]: the mesh types shipped in `assets/meshes.ron`.
+//! - [`wire`]: the net's geometry and the stress-strain curves of its wires.
+
+pub mod catalogue;
+pub mod wire;
+
+use crate::problem::Problem;
+use crate::units::{self, shortest, to_kn};
+use serde::{Deserialize, Serialize};
+
+/// Identifier of the reference mesh, the one the paper's relations were made with.
+pub const REFERENCE_ID: &str = "dt-8x10-2.7";
+
+/// Side of the standard laboratory panel, L^l, m (ISO 17745, ISO 17746, UNI 11437).
+pub const STANDARD_PANEL: f64 = 3.0;
+/// Diameter of the standard laboratory punch, D^l, m (ISO 17745, ISO 17746, UNI 11437).
+pub const STANDARD_PUNCH: f64 = 1.0;
+
+/// A mesh type: all the forecast and the check need to know of a mesh.
+///
+/// In files forces are kN and lengths m; in memory both are SI.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeshType {
+    /// Short identifier, by which layouts and the command line name the mesh.
+    pub id: String,
+    /// Name for people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// Whether this is the double-twist mesh of 80 mm opening and 2.7 mm wire on which the paper's
+    /// relations rest. Any other mesh that uses the default ratios gets a warning.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub reference: bool,
+    /// Whether this is an example to show the format, not a product's values.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub example: bool,
+    /// The laboratory punch test.
+    pub laboratory: LabRecord,
+    /// The mesh's own laboratory-to-field ratios; the default ones are used where this is missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ratios: Option<RatioRecord>,
+    /// Net and wires for the discrete element check; without it only the forecast is possible.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wire: Option<wire::WireData>,
+}
+
+/// Result of a laboratory punch test.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LabRecord {
+    /// Largest punching force F_l, N (kN in files), above 0.
+    #[serde(with = "units::file::force")]
+    pub force: f64,
+    /// Deflection at failure delta_l, m, above 0.
+    #[serde(with = "units::file::length")]
+    pub deflection: f64,
+    /// Whether the two values are means or characteristic values.
+    pub statistic: Statistic,
+    /// Side of the square test panel, m; the standard one is 3.0 m.
+    #[serde(with = "units::file::length", default = "standard_panel")]
+    pub panel: f64,
+    /// Diameter of the punch, m; only the standard 1.0 m can be used (the paper gives no relation for others).
+    #[serde(with = "units::file::length", default = "standard_punch")]
+    pub punch: f64,
+    /// Standard the test followed.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub standard: String,
+    /// Where the values were published.
+    pub source: String,
+}
+
+/// Whether laboratory values are means of a series or characteristic values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Statistic {
+    /// Mean of a series, or a single (simulated) test.
+    Mean,
+    /// Characteristic value (a low fractile), as a product standard declares it.
+    Characteristic,
+}
+
+impl Statistic {
+    /// The word for people: `mean` or `characteristic`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Statistic::Mean => "mean",
+            Statistic::Characteristic => "characteristic",
+        }
+    }
+}
+
+/// A mesh's own laboratory-to-field ratios.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RatioRecord {
+    /// alpha_F = F_a*/F_l*, above 0.
+    #[serde(with = "units::file::number")]
+    pub force: f64,
+    /// alpha_delta = delta_a*/delta_l*, above 0.
+    #[serde(with = "units::file::number")]
+    pub deflection: f64,
+    /// Where the ratios were published.
+    pub source: String,
+}
+
+fn standard_panel() -> f64 {
+    STANDARD_PANEL
+}
+
+fn standard_punch() -> f64 {
+    STANDARD_PUNCH
+}
+
+/// Largest laboratory force taken as sensible, N.
+const LARGEST_FORCE: f64 = 1.0e7;
+/// Largest laboratory panel taken as sensible, m.
+const LARGEST_PANEL: f64 = 20.0;
+
+impl MeshType {
+    /// The name for people, or the identifier where there is none.
+    pub fn title(&self) -> &str {
+        if self.name.is_empty() { &self.id } else { &self.name }
+    }
+
+    /// Checks every value against its range.
+    ///
+    /// # Errors
+    /// Every field that is wrong, by its path inside the mesh (`laboratory.force`).
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems = Vec::new();
+        if self.id.trim().is_empty() || self.id.chars().any(char::is_whitespace) {
+            problems.push(
+                Problem::new("id", "a mesh needs an identifier")
+                    .value(format!("{:?}", self.id))
+                    .allowed("letters, digits and signs without spaces"),
+            );
+        }
+        let lab = &self.laboratory;
+        let mut number = |field: &str, value: f64, shown: String, max: f64, range: &str| {
+            if !(value.is_finite() && value > 0.0 && value <= max) {
+                problems.push(
+                    Problem::new(field, "the value is outside what makes sense")
+                        .value(shown)
+                        .allowed(range),
+                );
+            }
+        };
+        let kn = |v: f64| format!("{} kN", shortest(to_kn(v)));
+        let m = |v: f64| format!("{} m", shortest(v));
+        number(
+            "laboratory.force",
+            lab.force,
+            kn(lab.force),
+            LARGEST_FORCE,
+            "above 0, up to 10000 kN",
+        );
+        number(
+            "laboratory.deflection",
+            lab.deflection,
+            m(lab.deflection),
+            10.0,
+            "above 0, up to 10 m",
+        );
+        number("laboratory.panel", lab.panel, m(lab.panel), LARGEST_PANEL, "above 0, up to 20 m");
+        if let Some(r) = &self.ratios {
+            number("ratios.force", r.force, shortest(r.force), 10.0, "above 0, up to 10");
+            number(
+                "ratios.deflection",
+                r.deflection,
+                shortest(r.deflection),
+                10.0,
+                "above 0, up to 10",
+            );
+        }
+        if lab.punch != STANDARD_PUNCH {
+            problems.push(
+                Problem::new("laboratory.punch", "a test with another punch cannot be converted")
+                    .value(m(lab.punch))
+                    .allowed("1.0 m only")
+                    .advice("the published relations convert the panel size, not the punch"),
+            );
+        }
+        if let Some(wire) = &self.wire
+            && let Err(found) = wire.check()
+        {
+            problems.extend(found.into_iter().map(|p| p.under("wire")));
+        }
+        if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+}

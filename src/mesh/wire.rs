@@ -1,0 +1,144 @@
+//! The net's geometry and the tensile curves of its wires: what the discrete element check needs.
+
+use crate::problem::Problem;
+use crate::units::shortest;
+use serde::{Deserialize, Serialize};
+
+/// Net and wire data of a mesh type; SI in memory and in files (m, kg, stresses in MPa in files).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WireData {
+    /// Geometry of the net.
+    pub net: NetGeometry,
+    /// Tensile curve of the single wire, on its own area pi diameter^2/4.
+    pub single: Vec<CurvePoint>,
+    /// Tensile curve of the double twist, on twice that area.
+    pub double_twist: Vec<CurvePoint>,
+    /// Random slack of the bonds.
+    #[serde(default)]
+    pub distortion: Distortion,
+    /// Where the data come from, and what was fitted to what.
+    pub source: String,
+}
+
+/// Geometry and inertia of a double-twist hexagonal net.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NetGeometry {
+    /// Distance between twist axes (mesh opening), along x, m; above 0.
+    pub opening: f64,
+    /// Length of a double twist, along y, m; above 0.
+    pub twist: f64,
+    /// Projection of a single wire on y, m; above 0.
+    pub projection: f64,
+    /// Wire diameter, m; above 0.
+    pub diameter: f64,
+    /// Mass of one node, kg; above 0.
+    pub node_mass: f64,
+    /// Radius of a node's sphere in contact with the punch, m; 0 or above.
+    pub node_radius: f64,
+}
+
+/// One point of a tensile curve: engineering strain (-) and stress. `(strain, stress in MPa)` in files.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CurvePoint(
+    /// Strain, above 0 and rising along the curve.
+    pub f64,
+    /// Stress, MPa, above 0 and not falling along the curve.
+    pub f64,
+);
+
+/// Random slack of a bond: delta_l = lambda_u l0 T (Thoeni et al. 2013).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Distortion {
+    /// lambda_u, 0 to 0.5: the largest slack as a part of the bond's length.
+    pub lambda_u: f64,
+    /// lambda_F, above 0 to 1: force level of the soft first point; 1 leaves the point out.
+    pub lambda_f: f64,
+    /// How T is drawn.
+    pub slack: Slack,
+}
+
+impl Default for Distortion {
+    fn default() -> Self {
+        Distortion { lambda_u: 0.0, lambda_f: 1.0, slack: Slack::Fixed(1.0) }
+    }
+}
+
+/// The factor T of the slack.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Slack {
+    /// The same T, 0 to 1, for every bond: no scatter.
+    Fixed(f64),
+    /// T triangular on 0 to 1 with mode 0.5, drawn from (seed, bond).
+    Triangular,
+}
+
+impl WireData {
+    /// Checks every value against its range.
+    ///
+    /// # Errors
+    /// Every field that is wrong, by its path inside the wire data (`net.opening`).
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let mut problems = Vec::new();
+        let mut range = |field: &str, value: f64, min: f64, max: f64, open: bool, unit: &str| {
+            let above = if open { value > min } else { value >= min };
+            if !(value.is_finite() && above && value <= max) {
+                problems.push(
+                    Problem::new(field, "the value is outside what makes sense")
+                        .value(format!("{}{unit}", shortest(value)))
+                        .allowed(format!(
+                            "{} {}{unit}, up to {}{unit}",
+                            if open { "above" } else { "from" },
+                            shortest(min),
+                            shortest(max)
+                        )),
+                );
+            }
+        };
+        let n = &self.net;
+        range("net.opening", n.opening, 0.0, 1.0, true, " m");
+        range("net.twist", n.twist, 0.0, 1.0, true, " m");
+        range("net.projection", n.projection, 0.0, 1.0, true, " m");
+        range("net.diameter", n.diameter, 0.0, 0.05, true, " m");
+        range("net.node_mass", n.node_mass, 0.0, 10.0, true, " kg");
+        range("net.node_radius", n.node_radius, 0.0, 0.2, false, " m");
+        let d = &self.distortion;
+        range("distortion.lambda_u", d.lambda_u, 0.0, 0.5, false, "");
+        range("distortion.lambda_f", d.lambda_f, 0.0, 1.0, true, "");
+        if let Slack::Fixed(t) = d.slack {
+            range("distortion.slack", t, 0.0, 1.0, false, "");
+        }
+        for (name, points) in [("single", &self.single), ("double_twist", &self.double_twist)] {
+            problems.extend(check_curve(points).map(|p| p.under(name)));
+        }
+        if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+}
+
+/// The first thing wrong with a tensile curve.
+fn check_curve(points: &[CurvePoint]) -> Option<Problem> {
+    if points.is_empty() || points.len() > 32 {
+        return Some(
+            Problem::new("", format!("a curve of {} points cannot be used", points.len()))
+                .allowed("1 to 32 points; (0, 0) is implied"),
+        );
+    }
+    let (mut strain, mut stress) = (0.0, 0.0);
+    for (k, p) in points.iter().enumerate() {
+        let finite = p.0.is_finite() && p.1.is_finite();
+        if !(finite && p.0 > strain && p.1 >= stress && p.1 > 0.0 && p.0 <= 2.0 && p.1 <= 1.0e4) {
+            return Some(
+                Problem::new(
+                    format!("[{k}]"),
+                    "strain must rise and stress must not fall from point to point",
+                )
+                .value(format!("({}, {} MPa)", p.0, p.1))
+                .allowed("strain above the previous, up to 2; stress above 0, up to 10000 MPa"),
+            );
+        }
+        (strain, stress) = (p.0, p.1);
+    }
+    None
+}

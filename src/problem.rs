@@ -1,0 +1,84 @@
+//! A bad input as a value: which field, what stood there, what is allowed and what to do.
+//!
+//! Rooms below `project` and `cli` only know fields. Those two rooms add the file and the line
+//! or the flag, and print the whole.
+
+use std::fmt;
+
+/// One thing wrong with one field of the input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// Path of the field inside what was checked, for example `laboratory.force`. Empty for the whole.
+    pub field: String,
+    /// What stood there, as a person would write it, unit included. Empty if nothing did.
+    pub value: String,
+    /// What is wrong, as a short sentence without a final stop.
+    pub message: String,
+    /// The allowed range with its unit, or the allowed words. Empty where the message says it all.
+    pub allowed: String,
+    /// What to do about it, as a short sentence. Empty where the range says it all.
+    pub advice: String,
+}
+
+impl Problem {
+    /// A problem with `field`, of which `message` says what is wrong.
+    pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
+        Problem {
+            field: field.into(),
+            value: String::new(),
+            message: message.into(),
+            allowed: String::new(),
+            advice: String::new(),
+        }
+    }
+
+    /// The same problem with the value that stood there.
+    pub fn value(mut self, value: impl Into<String>) -> Self {
+        self.value = value.into();
+        self
+    }
+
+    /// The same problem with the allowed range.
+    pub fn allowed(mut self, allowed: impl Into<String>) -> Self {
+        self.allowed = allowed.into();
+        self
+    }
+
+    /// The same problem with advice on what to do.
+    pub fn advice(mut self, advice: impl Into<String>) -> Self {
+        self.advice = advice.into();
+        self
+    }
+
+    /// The same problem seen from the parent: `under("layouts[2]")` turns `d` into `layouts[2].d`.
+    pub fn under(mut self, parent: &str) -> Self {
+        self.field = match (parent.is_empty(), self.field.is_empty()) {
+            (true, _) => self.field,
+            (_, true) => parent.to_string(),
+            _ => format!("{parent}.{}", self.field),
+        };
+        self
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.field.is_empty() {
+            write!(f, "{}", self.field)?;
+            if !self.value.is_empty() {
+                write!(f, " = {}", self.value)?;
+            }
+            write!(f, ": ")?;
+        }
+        write!(f, "{}", self.message)?;
+        if !self.allowed.is_empty() {
+            write!(f, "; allowed: {}", self.allowed)?;
+        }
+        if !self.advice.is_empty() {
+            write!(f, "; {}", self.advice)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Problem {}

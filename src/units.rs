@@ -1,0 +1,419 @@
+//! Quantities as people write them (`250 mm`, `0.25 m`, `73.3 kN`), to and from SI.
+//!
+//! Inside the program lengths are metres, forces newtons, stresses pascals and masses kilograms.
+//! This is the one place that converts. People read and type metres or millimetres and kilonewtons;
+//! a bare number in a file or on the command line is metres or kilonewtons, on the screen it is in
+//! the unit the screen shows.
+
+use std::fmt;
+
+/// What a number measures, so that its unit can be read and checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// A length; SI unit metre.
+    Length,
+    /// A force; SI unit newton.
+    Force,
+    /// A pure number, such as a partial factor.
+    Number,
+}
+
+/// Length unit that the screen shows and in which bare numbers typed there are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum LengthUnit {
+    /// Metres.
+    #[default]
+    #[serde(rename = "m")]
+    Metre,
+    /// Millimetres.
+    #[serde(rename = "mm")]
+    Millimetre,
+}
+
+impl LengthUnit {
+    /// The unit's sign: `m` or `mm`.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            LengthUnit::Metre => "m",
+            LengthUnit::Millimetre => "mm",
+        }
+    }
+
+    /// How many of this unit make a metre.
+    pub fn per_metre(self) -> f64 {
+        match self {
+            LengthUnit::Metre => 1.0,
+            LengthUnit::Millimetre => 1000.0,
+        }
+    }
+
+    /// The other unit.
+    pub fn other(self) -> Self {
+        match self {
+            LengthUnit::Metre => LengthUnit::Millimetre,
+            LengthUnit::Millimetre => LengthUnit::Metre,
+        }
+    }
+}
+
+/// Newtons in a kilonewton.
+pub const N_PER_KN: f64 = 1000.0;
+
+/// Newtons to kilonewtons.
+pub fn to_kn(newton: f64) -> f64 {
+    newton / N_PER_KN
+}
+
+/// Kilonewtons to newtons.
+pub fn from_kn(kilonewton: f64) -> f64 {
+    kilonewton * N_PER_KN
+}
+
+/// Units accepted behind a number, each with the quantity it measures and its size in SI.
+/// Sizes below one are kept as their inverse so that `250 mm` is exactly `0.25`.
+const UNITS: &[(&str, Quantity, Scale)] = &[
+    ("mm", Quantity::Length, Scale::Over(1000.0)),
+    ("cm", Quantity::Length, Scale::Over(100.0)),
+    ("m", Quantity::Length, Scale::Times(1.0)),
+    ("kN", Quantity::Force, Scale::Times(1000.0)),
+    ("MN", Quantity::Force, Scale::Times(1.0e6)),
+    ("N", Quantity::Force, Scale::Times(1.0)),
+];
+
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    Times(f64),
+    Over(f64),
+}
+
+/// Why a typed quantity was refused. `Display` is a sentence for the person who typed it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum QuantityError {
+    /// Nothing was typed.
+    Empty,
+    /// A comma stands where a decimal point belongs.
+    DecimalComma(String),
+    /// The number part is no number.
+    NotANumber(String),
+    /// The number is infinite or not a number.
+    NotFinite(String),
+    /// A unit that does not measure this quantity, or none that is known.
+    WrongUnit {
+        /// The unit as typed.
+        unit: String,
+        /// The units that would do.
+        allowed: &'static str,
+    },
+}
+
+impl fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            QuantityError::Empty => write!(f, "a number is needed"),
+            QuantityError::DecimalComma(fixed) => {
+                write!(f, "write the decimal point as a point: {fixed}")
+            }
+            QuantityError::NotANumber(text) => write!(f, "{text:?} is not a number"),
+            QuantityError::NotFinite(text) => write!(f, "{text:?} is not a finite number"),
+            QuantityError::WrongUnit { unit, allowed } => {
+                write!(f, "unit {unit:?} does not fit here; use {allowed}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for QuantityError {}
+
+/// Reads a quantity and returns it in SI (m, N, or the bare number).
+///
+/// A bare number is taken in the default unit: metres or `length_unit` for lengths, kN for forces.
+///
+/// # Errors
+/// [`QuantityError`] says what is wrong with the text.
+pub fn parse(
+    text: &str,
+    quantity: Quantity,
+    length_unit: LengthUnit,
+) -> Result<f64, QuantityError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(QuantityError::Empty);
+    }
+    let (number, unit) = split_unit(text);
+    if number.is_empty() {
+        return Err(QuantityError::NotANumber(text.to_string()));
+    }
+    if number.contains(',') {
+        return Err(QuantityError::DecimalComma(format!(
+            "{}{}{unit}",
+            number.replacen(',', ".", 1),
+            if unit.is_empty() { "" } else { " " }
+        )));
+    }
+    let value: f64 = number.parse().map_err(|_| QuantityError::NotANumber(number.to_string()))?;
+    if !value.is_finite() {
+        return Err(QuantityError::NotFinite(number.to_string()));
+    }
+    let scale = if unit.is_empty() {
+        match (quantity, length_unit) {
+            (Quantity::Length, LengthUnit::Millimetre) => Scale::Over(1000.0),
+            (Quantity::Force, _) => Scale::Times(N_PER_KN),
+            _ => Scale::Times(1.0),
+        }
+    } else {
+        find_unit(unit, quantity)?
+    };
+    let si = match scale {
+        Scale::Times(s) => value * s,
+        Scale::Over(s) => value / s,
+    };
+    if si.is_finite() { Ok(si) } else { Err(QuantityError::NotFinite(number.to_string())) }
+}
+
+/// Splits `250 mm` into `250` and `mm`; an exponent (`1e3`) belongs to the number.
+fn split_unit(text: &str) -> (&str, &str) {
+    let bytes = text.as_bytes();
+    let mut end = 0;
+    while end < bytes.len() {
+        let c = bytes[end];
+        let exponent = (c == b'e' || c == b'E')
+            && end > 0
+            && bytes.get(end + 1).is_some_and(|n| n.is_ascii_digit() || matches!(n, b'+' | b'-'));
+        let sign = matches!(c, b'+' | b'-');
+        if c.is_ascii_digit() || c == b'.' || c == b',' || exponent || sign {
+            end += 1;
+        } else {
+            break;
+        }
+    }
+    (text[..end].trim(), text[end..].trim())
+}
+
+fn find_unit(unit: &str, quantity: Quantity) -> Result<Scale, QuantityError> {
+    let exact = UNITS.iter().find(|u| u.1 == quantity && u.0 == unit);
+    let loose = || UNITS.iter().find(|u| u.1 == quantity && u.0.eq_ignore_ascii_case(unit));
+    let ambiguous = unit.eq_ignore_ascii_case("mn") && unit != "MN";
+    match exact.or_else(|| if ambiguous { None } else { loose() }) {
+        Some(u) => Ok(u.2),
+        None => Err(QuantityError::WrongUnit {
+            unit: unit.to_string(),
+            allowed: match quantity {
+                Quantity::Length => "m, cm or mm",
+                Quantity::Force => "kN, N or MN",
+                Quantity::Number => "no unit",
+            },
+        }),
+    }
+}
+
+/// A number at `digits` significant digits without an exponent, for tables and panels:
+/// 31.04 at three digits is `31.0`, 0.6196 is `0.620`, 1234.0 is `1234`.
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value:.0$}", if value == 0.0 { digits.saturating_sub(1) } else { 0 });
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    let decimals = (digits as i32 - 1 - magnitude).max(0) as usize;
+    let text = format!("{value:.decimals$}");
+    // Rounding may carry into a new digit (9.996 -> "10.00"): print once more with one less.
+    let rounded: f64 = text.parse().unwrap_or(value);
+    if decimals > 0 && rounded.abs().log10().floor() as i32 > magnitude {
+        return format!("{value:.0$}", decimals - 1);
+    }
+    text
+}
+
+/// The shortest decimal text of a number after rounding away the noise of unit conversion
+/// (twelve significant digits), for files and for values a person entered: `0.1 + 0.2` is `0.3`.
+/// Whole numbers keep one decimal (`3.0`), as RON writes floating point numbers.
+pub fn shortest(value: f64) -> String {
+    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    // An integer below 2^53 prints without an exponent; `{:?}` writes "3.0" and "0.25".
+    format!("{:?}", if rounded == 0.0 { 0.0 } else { rounded })
+}
+
+/// A length as entered, in `unit`, shortest form without the unit's sign: `0.32` or `320`.
+pub fn length_entry(metres: f64, unit: LengthUnit) -> String {
+    let text = shortest(metres * unit.per_metre());
+    match unit {
+        LengthUnit::Millimetre => text.strip_suffix(".0").unwrap_or(&text).to_string(),
+        LengthUnit::Metre => {
+            // At least two decimals in metres, so that columns of lengths read alike.
+            match text.find('.') {
+                Some(dot) if text.len() - dot - 1 < 2 => format!("{text}0"),
+                _ => text,
+            }
+        }
+    }
+}
+
+/// A computed length with its unit at the precision of the method: `0.620 m` or `620 mm`.
+pub fn length_text(metres: f64, unit: LengthUnit) -> String {
+    match unit {
+        LengthUnit::Metre => format!("{metres:.3} m"),
+        LengthUnit::Millimetre => format!("{:.0} mm", metres * 1000.0),
+    }
+}
+
+/// A computed force in kN at three significant digits, with its unit: `31.0 kN`.
+pub fn force_text(newton: f64) -> String {
+    format!("{} kN", significant(to_kn(newton), 3))
+}
+
+/// Reading and writing quantities in files: bare numbers are metres or kN, text may carry a unit.
+pub mod file {
+    use super::{LengthUnit, Quantity, parse};
+    use serde::{Deserializer, Serializer, de};
+    use std::fmt;
+
+    struct Reader(Quantity);
+
+    impl Reader {
+        fn bare<E: de::Error>(&self, v: f64) -> Result<f64, E> {
+            if !v.is_finite() {
+                return Err(E::custom(format!(
+                    "{v} is not a finite number; write an ordinary number such as 0.32"
+                )));
+            }
+            Ok(match self.0 {
+                Quantity::Force => super::from_kn(v),
+                _ => v,
+            })
+        }
+    }
+
+    impl de::Visitor<'_> for Reader {
+        type Value = f64;
+
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str(match self.0 {
+                Quantity::Length => {
+                    "a length: a number in metres, or text with a unit such as \"250 mm\""
+                }
+                Quantity::Force => {
+                    "a force: a number in kN, or text with a unit such as \"73.3 kN\""
+                }
+                Quantity::Number => "a number",
+            })
+        }
+        fn visit_f64<E: de::Error>(self, v: f64) -> Result<f64, E> {
+            self.bare(v)
+        }
+        fn visit_i64<E: de::Error>(self, v: i64) -> Result<f64, E> {
+            self.bare(v as f64)
+        }
+        fn visit_u64<E: de::Error>(self, v: u64) -> Result<f64, E> {
+            self.bare(v as f64)
+        }
+        fn visit_str<E: de::Error>(self, v: &str) -> Result<f64, E> {
+            parse(v, self.0, LengthUnit::Metre).map_err(E::custom)
+        }
+    }
+
+    macro_rules! quantity_module {
+        ($name:ident, $optional:ident, $quantity:expr, $write:expr) => {
+            /// For `#[serde(with = ...)]`: the field in SI, the file in its bare unit.
+            pub mod $name {
+                use super::*;
+                /// Reads the quantity into SI.
+                pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+                    d.deserialize_any(Reader($quantity))
+                }
+                /// Writes the quantity as a bare number.
+                pub fn serialize<S: Serializer>(v: &f64, s: S) -> Result<S::Ok, S::Error> {
+                    let write: fn(f64) -> f64 = $write;
+                    s.serialize_f64(write(*v))
+                }
+            }
+            /// The same for an optional field.
+            pub mod $optional {
+                use super::*;
+                struct Wrapped(f64);
+                impl<'de> serde::Deserialize<'de> for Wrapped {
+                    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+                        super::$name::deserialize(d).map(Wrapped)
+                    }
+                }
+                /// Reads the quantity into SI.
+                pub fn deserialize<'de, D: Deserializer<'de>>(
+                    d: D,
+                ) -> Result<Option<f64>, D::Error> {
+                    let v: Option<Wrapped> = serde::Deserialize::deserialize(d)?;
+                    Ok(v.map(|w| w.0))
+                }
+                /// Writes the quantity as a bare number.
+                pub fn serialize<S: Serializer>(v: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
+                    let write: fn(f64) -> f64 = $write;
+                    match v {
+                        Some(v) => s.serialize_some(&write(*v)),
+                        None => s.serialize_none(),
+                    }
+                }
+            }
+        };
+    }
+
+    quantity_module!(length, length_option, Quantity::Length, |v| v);
+    quantity_module!(force, force_option, Quantity::Force, crate::units::to_kn);
+    quantity_module!(number, number_option, Quantity::Number, |v| v);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_read_with_and_without_a_unit() {
+        for (text, metres) in [
+            ("250mm", 0.25),
+            ("250 mm", 0.25),
+            ("0.25", 0.25),
+            (" 25 cm ", 0.25),
+            ("0.25m", 0.25),
+            ("2.5e-1 m", 0.25),
+            ("-1.15 M", -1.15),
+        ] {
+            assert_eq!(parse(text, Quantity::Length, LengthUnit::Metre), Ok(metres), "{text}");
+        }
+        assert_eq!(parse("250", Quantity::Length, LengthUnit::Millimetre), Ok(0.25));
+    }
+
+    #[test]
+    fn forces_are_read_in_newtons() {
+        assert_eq!(parse("73.3", Quantity::Force, LengthUnit::Metre), Ok(73300.0));
+        assert_eq!(parse("500 N", Quantity::Force, LengthUnit::Metre), Ok(500.0));
+        assert!(parse("5 mN", Quantity::Force, LengthUnit::Metre).is_err());
+    }
+
+    #[test]
+    fn refusals_say_what_to_do() {
+        let said = |t: &str| parse(t, Quantity::Length, LengthUnit::Metre).unwrap_err().to_string();
+        assert_eq!(said("2,7 m"), "write the decimal point as a point: 2.7 m");
+        assert_eq!(said("3 kN"), "unit \"kN\" does not fit here; use m, cm or mm");
+        assert_eq!(said("abc"), "\"abc\" is not a number");
+        assert_eq!(said("1e999"), "\"1e999\" is not a finite number");
+        assert_eq!(said("1-2"), "\"1-2\" is not a number");
+        assert_eq!(said(""), "a number is needed");
+    }
+
+    #[test]
+    fn significant_digits_carry() {
+        assert_eq!(significant(31.04, 3), "31.0");
+        assert_eq!(significant(9.996, 3), "10.0");
+        assert_eq!(significant(0.06196, 3), "0.0620");
+        assert_eq!(significant(1234.0, 3), "1234");
+        assert_eq!(significant(0.0, 3), "0.00");
+        assert_eq!(significant(-0.9996, 3), "-1.00");
+    }
+
+    #[test]
+    fn entries_are_short_and_free_of_noise() {
+        assert_eq!(shortest(0.1 + 0.2), "0.3");
+        assert_eq!(shortest(3.0), "3.0");
+        assert_eq!(shortest(-0.0), "0.0");
+        assert_eq!(length_entry(0.32, LengthUnit::Metre), "0.32");
+        assert_eq!(length_entry(3.0, LengthUnit::Metre), "3.00");
+        assert_eq!(length_entry(0.3215, LengthUnit::Metre), "0.3215");
+        assert_eq!(length_entry(0.32, LengthUnit::Millimetre), "320");
+    }
+}
