@@ -25,6 +25,27 @@ pub struct Layout {
 /// centred (Pol & Gabrieli 2021, appendix).
 pub const REFERENCE: Layout = Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0 };
 
+/// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BranchRule {
+    /// As published: the small-punch branch where D <= d, the large-punch branch elsewhere.
+    #[default]
+    Published,
+    /// The branch with the lower force, and the deflection of the same branch.
+    Conservative,
+}
+
+impl BranchRule {
+    /// The word for people and files: `published` or `conservative`.
+    pub fn word(self) -> &'static str {
+        match self {
+            BranchRule::Published => "published",
+            BranchRule::Conservative => "conservative",
+        }
+    }
+}
+
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
 pub const LARGEST_LENGTH: f64 = 100.0;
 
