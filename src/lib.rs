@@ -6,8 +6,10 @@
 //! - [`units`], [`problem`]: quantities as people write them; a bad input as a value.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
+//! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 
 pub mod curve;
+pub mod forecast;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
