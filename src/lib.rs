@@ -6,9 +6,11 @@
 //! - [`units`], [`problem`]: quantities as people write them; a bad input as a value.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
+//! - [`project`]: the file a user keeps: read, checked, changed and saved.
 
 pub mod curve;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
+pub mod project;
 pub mod units;
