@@ -8,11 +8,15 @@
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
+//! - [`app`]: the state of the interactive program; no input or output.
+//! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
 
+pub mod app;
 pub mod curve;
 pub mod forecast;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
 pub mod project;
+pub mod term;
 pub mod units;

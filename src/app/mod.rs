@@ -2,4 +2,5 @@
 //! output happens here; see [`message`].
 
 pub mod key;
+pub mod look;
 pub mod message;
