@@ -10,6 +10,7 @@
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.
+//! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
 
 pub mod app;
 pub mod curve;
@@ -18,5 +19,6 @@ pub mod layout;
 pub mod mesh;
 pub mod problem;
 pub mod project;
+pub mod term;
 pub mod ui;
 pub mod units;

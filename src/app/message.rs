@@ -22,6 +22,8 @@ pub enum Message {
     },
     /// A save that was asked for has ended.
     Saved(Result<Saved, SaveFailure>),
+    /// Something went wrong behind the screen, in words; the program goes on.
+    Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.
     HangUp,
     /// The program runs again after it was suspended; the whole screen must be drawn.

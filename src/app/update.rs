@@ -35,6 +35,10 @@ impl App {
                 effects
             }
             Message::Resumed => vec![Effect::Redraw],
+            Message::Trouble(text) => {
+                self.complain(text);
+                Vec::new()
+            }
         }
     }
 
