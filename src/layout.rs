@@ -92,8 +92,10 @@ impl Layout {
         size("D", "punch diameter D", self.punch, limit, text);
         for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
+                let why =
+                    if value.is_finite() { "is too large" } else { "must be a finite length" };
                 problems.push(
-                    Problem::new(field, format!("offset {field} must be a finite length"))
+                    Problem::new(field, format!("offset {field} {why}"))
                         .value(length_value(value))
                         .allowed("within half the spacing, -L/2 to L/2")
                         .advice("larger offsets are the same as a neighbouring cell's"),
