@@ -7,10 +7,12 @@
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
+//! - [`project`]: the file a user keeps: read, checked, changed and saved.
 
 pub mod curve;
 pub mod forecast;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
+pub mod project;
 pub mod units;
