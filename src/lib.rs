@@ -3,13 +3,17 @@
 //!
 //! The rooms, from the ground up; a room uses only those above it in this list:
 //!
-//! - [`units`], [`problem`]: quantities as people write them; a bad input as a value.
+//! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
+//!   value; whether two results have the same inputs.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
+//! - [`cli`]: the command line, one subcommand a file.
 
+pub mod cli;
 pub mod curve;
+pub mod fingerprint;
 pub mod forecast;
 pub mod layout;
 pub mod mesh;
