@@ -9,6 +9,7 @@
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`app`]: the state of the interactive program; no input or output.
+//! - [`ui`]: one panel a file, each a pure function of the state.
 //! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
 
 pub mod app;
@@ -19,4 +20,5 @@ pub mod mesh;
 pub mod problem;
 pub mod project;
 pub mod term;
+pub mod ui;
 pub mod units;

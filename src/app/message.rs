@@ -48,6 +48,8 @@ pub struct SaveFailure {
     pub message: String,
     /// Whether saving again with `overwrite` would help: the file changed on disk since it was opened.
     pub overwrite_helps: bool,
+    /// The other file that was asked for, or `None` for the project's own.
+    pub path: Option<PathBuf>,
 }
 
 /// Something to be done outside the state.

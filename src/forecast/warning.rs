@@ -159,7 +159,7 @@ impl Warning {
             }
             Warning::PunchOnPlate { .. } => "punch on an anchor plate".into(),
             Warning::NearBranchChange { other, .. } => {
-                format!("near D = d; other branch {} kN", significant(other / 1000.0, 3))
+                format!("near D = d: other {} kN", significant(other / 1000.0, 3))
             }
             Warning::EccentricityUncertain { force, .. } => {
                 format!("eccentricity +-{:.0} % on F", force * 100.0)

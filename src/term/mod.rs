@@ -30,6 +30,7 @@ mod rescue;
 mod run;
 mod session;
 mod signals;
+mod state;
 mod travel;
 mod tty;
 

@@ -145,7 +145,7 @@ fn number(color: Color) -> Option<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ratatui::style::{Style, Stylize};
+    use ratatui::style::Style;
 
     fn pen(style: Style) -> Pen {
         let mut cell = Cell::default();

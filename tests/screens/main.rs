@@ -1,0 +1,5 @@
+//! Screens by styled snapshot, and edits by key script.
+
+mod harness;
+mod scripts;
+mod snapshots;
