@@ -3,7 +3,7 @@
 
 use super::*;
 use proptest::prelude::*;
-use ratatui::style::{Color, Modifier, Style, Stylize};
+use ratatui::style::{Color, Modifier, Style};
 use std::num::NonZeroU16;
 
 fn terminal(width: u16, height: u16) -> vt100::Parser {
