@@ -3,10 +3,8 @@
 use super::App;
 use super::field::{Field, StepSize};
 use crate::layout::{self, BranchRule};
-use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
-use crate::project::schema::{
-    LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout, Project,
-};
+use crate::mesh::{MeshType, REFERENCE_ID};
+use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
 use std::sync::Arc;
 
 /// A choice of mesh: the type, and whether the project already names it.
@@ -52,14 +50,14 @@ impl App {
 
     /// Adds a layout at the reference point after the selected one, with the same mesh.
     pub(super) fn add_layout(&mut self) {
-        let name = free_name(&self.project, "layout");
+        let name = self.project.free_name("layout");
         let mesh = self.layout().mesh.clone();
         self.insert(NamedLayout::new(name, layout::REFERENCE, mesh), "added");
     }
 
     /// Copies the selected layout after itself.
     pub(super) fn duplicate_layout(&mut self) {
-        let name = free_name(&self.project, &self.layout().name);
+        let name = self.project.free_name(&self.layout().name);
         let copy = self.layout().duplicate(name);
         self.insert(copy, "copied to");
     }
@@ -171,22 +169,11 @@ impl App {
 
     /// The meshes to choose from: the project's own first, then the catalogue.
     pub fn meshes(&self) -> Vec<MeshChoice> {
-        let mut choices: Vec<MeshChoice> = Vec::new();
-        for used in &self.project.meshes {
-            match used {
-                MeshUse::Inline(mesh) => {
-                    choices.push(MeshChoice { mesh: mesh.clone(), inline: true });
-                }
-                MeshUse::Catalogue(id) => choices
-                    .extend(catalogue::find(id).map(|mesh| MeshChoice { mesh, inline: false })),
-            }
-        }
-        for mesh in catalogue::all() {
-            if !choices.iter().any(|c| c.mesh.id == mesh.id) {
-                choices.push(MeshChoice { mesh: mesh.clone(), inline: false });
-            }
-        }
-        choices
+        let written_out = |id: &str| {
+            self.project.meshes.iter().any(|m| matches!(m, MeshUse::Inline(mesh) if mesh.id == id))
+        };
+        let meshes = self.project.available_meshes().into_iter();
+        meshes.map(|mesh| MeshChoice { inline: written_out(&mesh.id), mesh }).collect()
     }
 
     /// Gives the selected layout a mesh, by its identifier; the project then names it too.
@@ -213,17 +200,4 @@ impl App {
         });
         Ok(())
     }
-}
-
-/// A name that no layout has: `base`, or `base 2`, `base 3`, with the number that `base` ends in left out.
-fn free_name(project: &Project, base: &str) -> String {
-    let stem = base.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end();
-    let stem = if stem.is_empty() { "layout" } else { stem };
-    let stem: String = stem.chars().take(LONGEST_NAME - 5).collect();
-    let taken = |name: &str| project.layouts.iter().any(|l| l.name.trim() == name);
-    if base == "layout" && !taken(base) {
-        return base.to_string();
-    }
-    // There are at most MOST_LAYOUTS names, so one of these is free.
-    (2..).map(|n| format!("{stem} {n}")).find(|name| !taken(name)).unwrap_or_default()
 }

@@ -1,6 +1,6 @@
 //! The texts of help and details, as lines; drawing them is the business of `ui`.
 
-use super::keymap::{self, Context};
+use super::keymap::{self, Action, Context};
 use super::{App, Mode};
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
 use crate::forecast::{Field, Forecast};
@@ -60,7 +60,10 @@ pub fn help(width: usize) -> Vec<PageLine> {
     let key_column = 18;
     for context in Context::ALL {
         page.heading(context.heading());
-        for b in keymap::of(context) {
+        // What holds on every screen is said once, with the main screen.
+        let everywhere = [Action::Redraw, Action::Suspend];
+        let said = |a| context != Context::Main && everywhere.contains(&a);
+        for b in keymap::of(context).filter(|b| !said(b.action)) {
             let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
             page.text(&format!("  {:<key_column$} {}", keys.join(" "), b.help), key_column + 3);
         }

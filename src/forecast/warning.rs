@@ -56,6 +56,17 @@ pub enum Weight {
     Outside,
 }
 
+impl Weight {
+    /// The word in output: `note`, `caution` or `outside`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Weight::Note => "note",
+            Weight::Caution => "caution",
+            Weight::Outside => "outside",
+        }
+    }
+}
+
 /// One warning of a forecast.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Warning {
@@ -159,7 +170,7 @@ impl Warning {
             }
             Warning::PunchOnPlate { .. } => "punch on an anchor plate".into(),
             Warning::NearBranchChange { other, .. } => {
-                format!("near D = d; other branch {} kN", significant(other / 1000.0, 3))
+                format!("near D = d: other {} kN", significant(other / 1000.0, 3))
             }
             Warning::EccentricityUncertain { force, .. } => {
                 format!("eccentricity +-{:.0} % on F", force * 100.0)

@@ -10,9 +10,12 @@ use std::panic::{PanicHookInfo, set_hook, take_hook};
 use std::sync::Arc;
 use std::thread;
 
+/// What the standard library calls on a panic.
+type PanicHook = Box<dyn Fn(&PanicHookInfo<'_>) + Send + Sync + 'static>;
+
 /// Puts the hook in place for as long as it lives.
 pub(super) struct Hook {
-    previous: Option<Box<dyn Fn(&PanicHookInfo<'_>) + Send + Sync + 'static>>,
+    previous: Option<PanicHook>,
 }
 
 impl Hook {
@@ -69,7 +72,12 @@ fn last_words(info: &PanicHookInfo<'_>, rescue: &Rescue) {
 
 /// The panic's message and place in one line.
 fn describe(info: &PanicHookInfo<'_>) -> String {
-    let what = info.payload_as_str().unwrap_or("no message");
+    let payload = info.payload();
+    let what = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("no message");
     match info.location() {
         Some(place) => format!("{what} ({}:{})", place.file(), place.line()),
         None => what.to_owned(),

@@ -75,7 +75,7 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     };
     let how = vec![
         (format!("{branch}, {}", forecast.rule.word()), theme.text),
-        (format!("anchor {}; block per cell", force_text(field.values.force)), theme.text),
+        (format!("lower bound; anchor {}", force_text(field.values.force)), theme.text),
     ];
     (lines, how)
 }

@@ -74,7 +74,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     match field {
         Some(values) => mark("X", values, &scale, plot, buf, theme.forecast),
         None => {
-            let text = "no field value: the punch is on an anchor plate";
+            let text = "no field value: punch on a plate";
             put(buf, plot, plot.height / 2, 1, text, theme.caution);
         }
     }

@@ -54,7 +54,7 @@ pub fn draw(app: &App, buf: &mut Buffer) {
     let theme = Theme::new(app.look());
     let fits = |size: (u16, u16)| area.width >= size.0 && area.height >= size.1;
     if !fits(SMALLEST) {
-        let line = format!("{}x{} is too small, needs 40x12; q quits", area.width, area.height);
+        let line = format!("too small: q quits; {}x{} of 40x12", area.width, area.height);
         text::put(buf, area, 0, 0, &line, theme.text);
         return;
     }

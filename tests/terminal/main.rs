@@ -1,1 +1,8 @@
+//! The program in a real pseudo-terminal: what it sends, and how it leaves the terminal behind.
+#![cfg(unix)]
 
+mod drawing;
+mod endings;
+mod pty;
+mod stopping;
+mod toy;
