@@ -1,11 +1,10 @@
 //! The list of layouts with the force of each.
 
 use super::chart::overlay_letter;
-use super::text::{below, cut, heading, put, put_right};
+use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::Derived;
-use crate::app::look::Glyphs;
 use crate::forecast::warning::Weight;
 use crate::units::{significant, to_kn};
 use ratatui::buffer::Buffer;
@@ -36,10 +35,6 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
             " ".repeat(room.saturating_sub(used))
         );
         put(buf, list, row as u16, 0, &line, if selected { theme.selected } else { theme.text });
-    }
-    if first + rows < layouts.len() {
-        let more = if theme.glyphs == Glyphs::Ascii { "v" } else { "↓" };
-        put_right(buf, list, list.height.saturating_sub(1), more, theme.heading);
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod drawing;
 mod endings;
+mod program;
 mod pty;
 mod stopping;
 mod toy;

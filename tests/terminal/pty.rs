@@ -42,7 +42,6 @@ pub struct Launch {
 
 impl Launch {
     /// The built `meshcast`.
-    #[allow(dead_code)]
     pub fn meshcast() -> Launch {
         Launch::program(env!("CARGO_BIN_EXE_meshcast"))
     }
