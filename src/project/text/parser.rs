@@ -178,7 +178,8 @@ impl<'t> Parser<'t> {
                 }
                 // What was skipped belongs to what follows; the comments are noted already, and
                 // reading them again would note them twice.
-                self.comments.retain(|s| s.start < end);
+                let kept = self.comments.partition_point(|s| s.start < end);
+                self.comments.truncate(kept);
                 self.at = end;
                 match word.as_str() {
                     "true" => Kind::Bool(true),
