@@ -2,7 +2,7 @@
 
 use super::schema::{
     FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE, LONGEST_NAME, MOST_LAYOUTS,
-    MOST_OVERLAYS, MeshUse, NamedLayout, Project,
+    MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout, Project,
 };
 use super::words;
 use crate::mesh::catalogue;
@@ -29,6 +29,14 @@ impl Project {
     }
 
     fn check_meshes(&self, problems: &mut Vec<Problem>) {
+        if self.meshes.len() > MOST_MESHES {
+            problems.push(
+                Problem::new("meshes", "there are too many meshes")
+                    .value(format!("{} meshes", self.meshes.len()))
+                    .allowed(format!("up to {MOST_MESHES}")),
+            );
+            return;
+        }
         let mut seen: HashMap<&str, usize> = HashMap::new();
         for (index, mesh) in self.meshes.iter().enumerate() {
             let path = format!("meshes[{index}]");
@@ -65,6 +73,7 @@ impl Project {
                     .value(format!("{} layouts", self.layouts.len()))
                     .allowed(format!("up to {MOST_LAYOUTS}")),
             );
+            return;
         }
         let mut seen: HashMap<&str, usize> = HashMap::new();
         let mut overlays = 0;

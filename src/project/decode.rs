@@ -6,6 +6,7 @@ use super::{inline_mesh, words};
 use crate::layout::BranchRule;
 use crate::problem::Problem;
 use crate::units::{self, LengthUnit, Quantity};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Fields of a project, in the order in which they are written.
@@ -30,6 +31,9 @@ pub const LAYOUT_FIELDS: &[&str] = &[
 ];
 /// Fields of the display preferences.
 pub const DISPLAY_FIELDS: &[&str] = &["length_unit"];
+
+/// More problems than this are not looked for; a message shows a handful.
+const MOST_FOUND: usize = 200;
 
 /// A problem and the byte where it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -200,18 +204,22 @@ impl<'t> Decoder<'t> {
             self.say(inner.span.start, Problem::new(path, said).advice(advice));
         }
         let fields = Fields { group, path: path.to_string() };
-        for (index, entry) in group.entries.iter().enumerate() {
+        let mut seen: HashMap<&str, usize> = HashMap::new();
+        for entry in &group.entries {
             let Some((key, span)) = &entry.key else { continue };
             if !known.contains(&key.as_str()) {
                 self.say(span.start, words::unknown_field(&fields.path(key), key, known));
-            } else if let Some(first) =
-                group.entries[..index].iter().find(|e| e.key.as_ref().is_some_and(|k| k.0 == *key))
-            {
-                let (line, _) = super::text::line_column(self.text, first.span().start);
+            } else if let Some(first) = seen.get(key.as_str()) {
+                let (line, _) = super::text::line_column(self.text, *first);
                 let problem = Problem::new(fields.path(key), "this field is given twice")
                     .value(words::shorten(entry.value.span.of(self.text)))
                     .advice(format!("it also stands in line {line}; keep one"));
                 self.say(span.start, problem);
+            } else {
+                seen.insert(key, span.start);
+            }
+            if self.found.len() > MOST_FOUND {
+                return None;
             }
         }
         for name in required.iter().filter(|n| fields.get(n).is_none()) {
@@ -235,7 +243,10 @@ impl<'t> Decoder<'t> {
                 .entries
                 .iter()
                 .enumerate()
-                .filter_map(|(k, e)| read(self, &e.value, &format!("{path}[{k}]")))
+                .filter_map(|(k, e)| {
+                    let enough = self.found.len() > MOST_FOUND;
+                    if enough { None } else { read(self, &e.value, &format!("{path}[{k}]")) }
+                })
                 .collect(),
             Kind::Word(word) if word == "None" => Vec::new(),
             _ => {
@@ -319,6 +330,10 @@ impl<'t> Decoder<'t> {
     }
 }
 
+/// What is said of a file of a newer version.
+pub(super) const NEWER: &str =
+    "the file was written by a newer meshcast and this one cannot read it";
+
 /// The version field of a tree, before anything else is looked at.
 ///
 /// # Errors
@@ -359,9 +374,7 @@ pub fn version(text: &str, root: &Node) -> Result<u32, Found> {
             if version <= CURRENT_VERSION {
                 return Ok(version);
             }
-            let mut found = wrong(
-                "the file was written by a newer meshcast and this one cannot read it".to_string(),
-            );
+            let mut found = wrong(NEWER.to_string());
             found.problem.advice = "use the newer meshcast; the file is left as it is".to_string();
             Err(found)
         }

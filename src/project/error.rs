@@ -75,12 +75,14 @@ pub struct LoadError {
     pub cause: Cause,
     /// What is wrong, in the order of the file; never empty.
     pub faults: Vec<Fault>,
+    /// How many more faults there are.
+    pub more: usize,
 }
 
 impl LoadError {
     pub(super) fn new(file: &str, cause: Cause, mut faults: Vec<Fault>) -> Self {
         faults.sort_by_key(|f| (f.line, f.column));
-        LoadError { file: file.to_string(), cause, faults }
+        LoadError { file: file.to_string(), cause, faults, more: 0 }
     }
 
     /// Whether the trouble lies in what the user gave and not in the machine: exit code 2, not 1.
@@ -127,7 +129,7 @@ impl LoadError {
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut head = Vec::new();
-        let count = match self.faults.len() {
+        let count = match self.faults.len() + self.more {
             0 | 1 => String::new(),
             n => format!(": {n} problems"),
         };
@@ -137,7 +139,7 @@ impl fmt::Display for LoadError {
         for fault in &self.faults {
             let mut more = LoadError::lines(fault);
             // Room for the closing line, unless this is the last fault.
-            let spare = usize::from(told + 1 < self.faults.len());
+            let spare = usize::from(told + 1 < self.faults.len() || self.more > 0);
             if lines.len() + more.len() + spare > MOST_LINES {
                 if told > 0 {
                     break;
@@ -147,7 +149,7 @@ impl fmt::Display for LoadError {
             lines.extend(more);
             told += 1;
         }
-        let left = self.faults.len() - told;
+        let left = self.faults.len() - told + self.more;
         if left > 0 {
             let s = if left == 1 { "" } else { "s" };
             lines.push(format!("  and {left} more problem{s} further down"));

@@ -14,6 +14,9 @@ use std::path::Path;
 /// Largest project file, in bytes.
 pub const LARGEST_FILE: u64 = 4 * 1024 * 1024;
 
+/// Most faults that an error holds; it shows fewer, and counts the rest.
+const MOST_FAULTS: usize = 50;
+
 /// A text read as a project.
 #[derive(Debug, Clone)]
 pub struct Parsed {
@@ -108,47 +111,63 @@ pub(super) fn decode_utf8(bytes: Vec<u8>, shown: &str) -> Result<String, LoadErr
 
 /// Text to project.
 pub(super) fn parse_text(text: &str, shown: &str) -> Result<Parsed, LoadError> {
-    let bad = |text: &str, found: Vec<Found>, tree: Option<&Tree>| {
-        let faults = found.into_iter().map(|f| Fault::placed(text, tree, f)).collect();
-        LoadError::new(shown, Cause::BadInput, faults)
-    };
     if text.trim_start_matches('\u{feff}').trim().is_empty() {
-        let fault = Fault::whole(
-            "the file is empty",
-            "a project starts with (version: 1, name: ...; meshcast new PATH makes one".to_string(),
-        );
+        let advice = "a project starts with (version: 1, name: ...; meshcast new PATH makes one";
+        let fault = Fault::whole("the file is empty", advice.to_string());
         return Err(LoadError::new(shown, Cause::BadInput, vec![fault]));
     }
-    let read = |text: &str| {
-        parser::parse(text)
-            .map_err(|e| bad(text, vec![Found { at: Some(e.at), problem: e.problem }], None))
-    };
-    let mut text = text.to_string();
-    let mut tree = read(&text)?;
-    let version = decode::version(&text, &tree.root).map_err(|found| {
-        let cause =
-            if found.problem.message.contains("newer") { Cause::Newer } else { Cause::BadInput };
-        let fault = Fault::placed(&text, Some(&tree), found);
-        LoadError::new(shown, cause, vec![fault])
-    })?;
-    let mut migrated_from = None;
+    let mut reading = Reading { shown, text: text.to_string(), migrated_from: None };
+    let mut tree = reading.tree()?;
+    let version = decode::version(&reading.text, &tree.root)
+        .map_err(|found| reading.refuse(vec![found], Some(&tree)))?;
     if version < CURRENT_VERSION {
-        let newer = migrate::to_current(&text, &tree, version)
-            .map_err(|found| bad(&text, found, Some(&tree)))?;
-        text = newer;
-        tree = read(&text)?;
-        migrated_from = Some(version);
+        let newer = migrate::to_current(&reading.text, &tree, version)
+            .map_err(|found| reading.refuse(found, Some(&tree)))?;
+        reading.text = newer;
+        reading.migrated_from = Some(version);
+        tree = reading.tree()?;
     }
-    let project =
-        decode::project(&text, &tree.root).map_err(|found| bad(&text, found, Some(&tree)))?;
-    if let Some(found) = inline_mesh::second_opinion(&text, &tree.root) {
-        return Err(bad(&text, vec![found], Some(&tree)));
+    let project = decode::project(&reading.text, &tree.root)
+        .map_err(|found| reading.refuse(found, Some(&tree)))?;
+    if let Some(found) = inline_mesh::second_opinion(&reading.text, &tree.root) {
+        return Err(reading.refuse(vec![found], Some(&tree)));
     }
-    if let Err(problems) = project.check() {
+    project.check().map_err(|problems| {
         let place = |p: &Problem| Some(tree.root.locate(&p.field).start);
-        let found =
-            problems.into_iter().map(|p| Found { at: place(&p), problem: Box::new(p) }).collect();
-        return Err(bad(&text, found, Some(&tree)));
-    }
+        let found = |p: Problem| Found { at: place(&p), problem: Box::new(p) };
+        reading.refuse(problems.into_iter().map(found).collect(), Some(&tree))
+    })?;
+    let Reading { text, migrated_from, .. } = reading;
     Ok(Parsed { project, text, tree, migrated_from })
+}
+
+/// A text on its way to a project.
+struct Reading<'s> {
+    /// The file, for messages.
+    shown: &'s str,
+    text: String,
+    migrated_from: Option<u32>,
+}
+
+impl Reading<'_> {
+    fn tree(&self) -> Result<Tree, LoadError> {
+        parser::parse(&self.text)
+            .map_err(|e| self.refuse(vec![Found { at: Some(e.at), problem: e.problem }], None))
+    }
+
+    fn refuse(&self, mut found: Vec<Found>, tree: Option<&Tree>) -> LoadError {
+        let newer = found.iter().any(|f| f.problem.message == decode::NEWER);
+        found.sort_by_key(|f| f.at);
+        let more = found.len().saturating_sub(MOST_FAULTS);
+        found.truncate(MOST_FAULTS);
+        let faults = found.into_iter().map(|f| {
+            let mut fault = Fault::placed(&self.text, tree, f);
+            if let Some(version) = self.migrated_from {
+                fault.problem = migrate::in_old_words(fault.problem, version);
+            }
+            fault
+        });
+        let cause = if newer { Cause::Newer } else { Cause::BadInput };
+        LoadError { more, ..LoadError::new(self.shown, cause, faults.collect()) }
+    }
 }

@@ -97,6 +97,8 @@ pub struct NamedLayout {
 pub const MOST_OVERLAYS: usize = 4;
 /// Most layouts in a project.
 pub const MOST_LAYOUTS: usize = 1000;
+/// Most mesh types in a project.
+pub const MOST_MESHES: usize = 100;
 /// Longest name of a project, site or layout, in characters.
 pub const LONGEST_NAME: usize = 60;
 /// Smallest and largest partial factor.

@@ -183,3 +183,29 @@ fn damaged_recovery_is_refused_in_plain_words() {
     let said = opened.document.recover(&found).unwrap_err().to_string();
     assert!(said.contains(".p.ron.recovery cannot be opened"), "{said}");
 }
+
+/// A hostile file must not keep the program busy: the time grows with the size and no faster.
+#[test]
+fn large_nonsense_is_refused_soon() {
+    let started = std::time::Instant::now();
+    let many = |piece: &str| {
+        let count = 1_000_000 / piece.len();
+        format!("(version: 1, name: \"p\", layouts: [{}])", piece.repeat(count))
+    };
+    for text in [
+        many("(a: 1),"),
+        many("1,"),
+        many("(name: \"x\", d: 1, L: 3, D: 1),"),
+        many("/**/x,"),
+        many("(name: \"a\", d: 1, d: 1, d: 1, d: 1),"),
+        format!("(version: 1, name: \"p\", {})", "x: 1,".repeat(200_000)),
+        format!("(version: 1, name: \"p\", layouts: [(name: \"a\", {})])", "d: 1,".repeat(200_000)),
+        format!("(version: 1, name: \"p\", meshes: [{}], layouts: [])", "\"a\",".repeat(200_000)),
+        "(".repeat(1_000_000),
+        "/*".repeat(500_000),
+    ] {
+        assert!(project::parse(&text, "large").is_err());
+    }
+    // About half a second in all here; a step that grows with the square would take minutes.
+    assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
+}

@@ -122,7 +122,9 @@ impl<'t> List<'t> {
             let blank = line.ends_with('\n') && line.trim().is_empty();
             at += line.len();
             // A blank line inside a comment separates nothing.
-            let in_comment = self.source.tree.comments.iter().any(|c| c.start < at && at < c.end);
+            let comments = &self.source.tree.comments;
+            let before = comments.partition_point(|c| c.start < at);
+            let in_comment = before.checked_sub(1).is_some_and(|k| at < comments[k].end);
             if blank && !in_comment {
                 start = at;
             }

@@ -223,3 +223,63 @@ pub fn offset_at(text: &str, line: usize, column: usize) -> usize {
     let rest = &text[start..];
     rest.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(i, _)| start + i)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "(\n  a: 1, // one\n  \u{e4}b: [(c: Some(2)), (c: \"x\")],\n)";
+
+    #[test]
+    fn a_path_leads_to_its_place_and_a_place_to_its_path() {
+        let tree = parser::parse(TEXT).unwrap();
+        for (path, shown) in [
+            ("a", "1"),
+            ("\u{e4}b[0].c", "Some(2)"),
+            ("\u{e4}b[1].c", "\"x\""),
+            ("\u{e4}b[1].none", "(c: \"x\")"),
+            ("\u{e4}b[7].c", "[(c: Some(2)), (c: \"x\")]"),
+        ] {
+            assert_eq!(tree.root.locate(path).of(TEXT), shown, "{path}");
+        }
+        assert_eq!(tree.root.locate("none"), tree.root.span);
+        let two = TEXT.find('2').unwrap();
+        assert_eq!(tree.root.path_at(two), "\u{e4}b[0].c");
+        assert_eq!(tree.root.path_at(0), "");
+        assert_eq!(tree.comments.len(), 1);
+        assert_eq!(tree.comments[0].of(TEXT), "// one");
+    }
+
+    #[test]
+    fn lines_and_columns_count_characters() {
+        let b = TEXT.find('b').unwrap();
+        assert_eq!(line_column(TEXT, b), (3, 4));
+        assert_eq!(offset_at(TEXT, 3, 4), b);
+        // A byte inside a character stands for the character.
+        assert_eq!(line_column(TEXT, b - 1), (3, 3));
+        assert_eq!(line_column(TEXT, 9999), (4, 2));
+        assert_eq!(offset_at(TEXT, 99, 1), TEXT.len());
+        assert_eq!(line_column("\u{feff}(", 3), (1, 1));
+    }
+
+    #[test]
+    fn every_kind_of_value_is_told_from_the_others() {
+        let text = "(a: -1.5e3, b: true, c: 'x', d: b\"y\", e: r#\"z\"\"#, f: w, g: (), h: {1: 2}, i: N(3), j: '\\'')";
+        let tree = parser::parse(text).unwrap();
+        let kind = |name: &str| tree.root.field(name).map(|e| e.value.kind.clone());
+        assert_eq!(kind("a"), Some(Kind::Number(-1500.0)));
+        assert_eq!(kind("b"), Some(Kind::Bool(true)));
+        assert_eq!(kind("c"), Some(Kind::Other));
+        assert_eq!(kind("d"), Some(Kind::Other));
+        assert_eq!(kind("e"), Some(Kind::Text("z\"".into())));
+        assert_eq!(kind("f"), Some(Kind::Word("w".into())));
+        assert_eq!(kind("j"), Some(Kind::Other));
+        let shape = |name: &str| {
+            let entry = tree.root.field(name)?;
+            entry.value.group().map(|g| (g.shape, g.name.clone(), g.entries.len()))
+        };
+        assert_eq!(shape("g"), Some((Shape::Tuple, None, 0)));
+        assert_eq!(shape("h"), Some((Shape::Map, None, 1)));
+        assert_eq!(shape("i"), Some((Shape::Tuple, Some("N".into()), 1)));
+    }
+}
