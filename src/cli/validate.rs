@@ -31,10 +31,10 @@ pub fn run(args: &ValidateArgs) -> Outcome {
 
 fn text(v: &Validation) -> String {
     let mut out = format!("{}\n\n", wrapped("", &published().source, 80).join("\n"));
-    table(&mut out, "Table 1: force at failure F_a, kN", v, 2, |t| {
+    table(&mut out, "Table 1: force at failure F_a, kN (DEM: the paper's simulation)", v, 2, |t| {
         (t.force, t.test.dem.force.text())
     });
-    table(&mut out, "Table 1: deflection at failure delta_a, m", v, 3, |t| {
+    table(&mut out, "Table 1: deflection at failure delta_a, m (DEM: the same)", v, 3, |t| {
         (t.deflection, t.test.dem.deflection.text())
     });
     out.push_str("Other printed numbers                     printed     ours  digits\n");
@@ -88,12 +88,12 @@ fn table(
 ) {
     let _ = writeln!(out, "{title}");
     let _ =
-        writeln!(out, "test     d     L     D    ex    ey  printed    ours    diff   DEM  digits");
+        writeln!(out, "test    d     L     D    ex    ey  printed    ours   diff   DEM  digits");
     for row in &v.tests {
         let (t, (c, dem)) = (row.test, column(row));
         let _ = writeln!(
             out,
-            "{:>4}  {:.2}  {:.2}  {:.2}  {:.2}  {:.2}  {:>7}  {:>6.decimals$}  {:>+6.decimals$}  {:>4}  {}",
+            "{:>4} {:.2}  {:.2}  {:.2}  {:.2}  {:.2}  {:>7}  {:>6.decimals$} {:>+6.decimals$}  {:>4}  {}",
             t.test,
             t.plate,
             t.spacing,

@@ -374,10 +374,11 @@ fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
         }
         matrix.swap(k, pivot);
         right.swap(k, pivot);
-        for i in k + 1..n {
-            let factor = matrix[i][k] / matrix[k][k];
-            for j in k..n {
-                matrix[i][j] -= factor * matrix[k][j];
+        let above = matrix[k].clone();
+        for (i, row) in matrix.iter_mut().enumerate().skip(k + 1) {
+            let factor = row[k] / above[k];
+            for (entry, over) in row.iter_mut().zip(&above).skip(k) {
+                *entry -= factor * over;
             }
             right[i] -= factor * right[k];
         }

@@ -221,8 +221,11 @@ fn design(page: &mut Page, answer: &Answer, question: &Question) {
     }
 }
 
-/// The warnings in whole sentences, in few words where those do not fit, and as many as fit.
+/// The warnings, the heaviest first, in whole sentences, in few words where those do not fit, and as
+/// many as fit.
 fn warnings(page: &mut Page, warnings: &[Warning]) {
+    let mut warnings: Vec<&Warning> = warnings.iter().collect();
+    warnings.sort_by_key(|w| std::cmp::Reverse(w.weight()));
     let room = HEIGHT.saturating_sub(page.lines.len());
     if warnings.is_empty() {
         return page.line("warnings", "none");
