@@ -46,6 +46,8 @@ impl BranchRule {
     }
 }
 
+/// Smallest size that is taken for a size and not for rounding, m; keeps every quotient finite.
+pub const SMALLEST_LENGTH: f64 = 1.0e-6;
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
 pub const LARGEST_LENGTH: f64 = 100.0;
 
@@ -60,11 +62,13 @@ impl Layout {
         let mut problems = Vec::new();
         let mut size =
             |field: &str, symbol_and_words: &str, value: f64, limit: f64, limit_text: String| {
-                if !(value.is_finite() && value > 0.0 && value < limit) {
+                if !(value.is_finite() && value >= SMALLEST_LENGTH && value < limit) {
                     let why = if !value.is_finite() {
                         format!("{symbol_and_words} must be a finite number")
                     } else if value <= 0.0 {
                         format!("{symbol_and_words} must be above 0")
+                    } else if value < SMALLEST_LENGTH {
+                        format!("{symbol_and_words} is too small")
                     } else {
                         format!("{symbol_and_words} is too large")
                     };
@@ -75,7 +79,7 @@ impl Layout {
                     );
                 }
             };
-        let sound = self.spacing.is_finite() && self.spacing > 0.0 && self.spacing < LARGEST_LENGTH;
+        let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;
         let (limit, text) = if sound {
             (self.spacing, format!("the spacing L = {} m", shortest(self.spacing)))
         } else {
@@ -92,8 +96,10 @@ impl Layout {
         size("D", "punch diameter D", self.punch, limit, text);
         for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
+                let why =
+                    if value.is_finite() { "is too large" } else { "must be a finite length" };
                 problems.push(
-                    Problem::new(field, format!("offset {field} must be a finite length"))
+                    Problem::new(field, format!("offset {field} {why}"))
                         .value(length_value(value))
                         .allowed("within half the spacing, -L/2 to L/2")
                         .advice("larger offsets are the same as a neighbouring cell's"),
@@ -148,6 +154,8 @@ mod tests {
         assert!(said[1].starts_with("D = 3.0 m: punch diameter D is too large"));
         assert!(said[2].starts_with("ex = NaN: offset ex must be a finite length"));
         assert!(REFERENCE.check().is_ok());
+        let dust = Layout { spacing: 5e-324, ..REFERENCE }.check().unwrap_err();
+        assert!(dust.iter().any(|p| p.to_string().contains("spacing L is too small")));
     }
 
     #[test]

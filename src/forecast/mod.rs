@@ -7,14 +7,17 @@
 //!    offset: F_a, delta_a.
 //! 3. [`master`] (Eq. 3) gives the curve, rescaled by both.
 //!
-//! [`design`] answers what engineers ask of the curve; [`warning`] says what to distrust.
+//! [`design`] answers what engineers ask of the curve; [`warning`] says what to distrust;
+//! [`fingerprint`] tells inputs apart; [`published`] holds what the paper prints against ours.
 //! The room reads no file and no clock; the same inputs give the same bits.
 
 pub mod design;
 pub mod eccentricity;
 pub mod field;
+pub mod fingerprint;
 pub mod laboratory;
 pub mod master;
+pub mod published;
 pub mod ratios;
 pub mod warning;
 

@@ -56,6 +56,17 @@ pub enum Weight {
     Outside,
 }
 
+impl Weight {
+    /// The word in output: `note`, `caution` or `outside`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Weight::Note => "note",
+            Weight::Caution => "caution",
+            Weight::Outside => "outside",
+        }
+    }
+}
+
 /// One warning of a forecast.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Warning {

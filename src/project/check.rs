@@ -4,6 +4,7 @@ use super::schema::{
     FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE, LONGEST_NAME, MOST_LAYOUTS,
     MOST_OVERLAYS, MeshUse, NamedLayout, Project,
 };
+use super::words;
 use crate::mesh::catalogue;
 use crate::problem::Problem;
 use crate::units::{shortest, to_kn};
@@ -135,7 +136,7 @@ fn check_design_force(newton: f64) -> Option<Problem> {
     (!good).then(|| {
         Problem::new("design_force", "the design force is outside what makes sense")
             .value(shown(to_kn(newton), " kN"))
-            .allowed(format!("above 0, up to {} kN", shortest(to_kn(LARGEST_DESIGN_FORCE))))
+            .allowed(words::range("design_force"))
     })
 }
 
@@ -144,7 +145,7 @@ fn check_deflection(metres: f64) -> Option<Problem> {
     (!good).then(|| {
         Problem::new("allowable_deflection", "the deflection is outside what makes sense")
             .value(shown(metres, " m"))
-            .allowed(format!("above 0, up to {} m", shortest(LARGEST_DEFLECTION)))
+            .allowed(words::range("allowable_deflection"))
     })
 }
 
@@ -154,7 +155,7 @@ fn check_factor(field: &str, factor: f64) -> Option<Problem> {
     (!good).then(|| {
         Problem::new(field, "the partial factor is outside what makes sense")
             .value(shown(factor, ""))
-            .allowed(format!("{} to {}", shortest(low), shortest(high)))
+            .allowed(words::range(field))
     })
 }
 

@@ -264,7 +264,7 @@ impl<'t> Decoder<'t> {
         match &node.kind {
             Kind::Text(text) => Some(text.clone()),
             _ => {
-                self.wrong_type(node, &f.path(name), "a text in quotes");
+                self.wrong_type(node, &f.path(name), "a text in double quotes");
                 None
             }
         }

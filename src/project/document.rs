@@ -3,7 +3,7 @@
 use super::load::Parsed;
 use super::schema::Project;
 use super::text::Tree;
-use super::{load, write};
+use super::{load, patch, write};
 use std::path::{Path, PathBuf};
 
 /// A project just opened.
@@ -83,7 +83,13 @@ impl Document {
         if !self.is_edited(project) {
             return Rendered { text: self.text.clone(), comments_kept: true };
         }
-        Rendered { text: write::project(project), comments_kept: self.tree.comments.is_empty() }
+        match patch::patch(&self.text, &self.tree, &self.base, project) {
+            Some(rendered) if holds(&rendered.text, project) => rendered,
+            _ => Rendered {
+                text: write::project(project),
+                comments_kept: self.tree.comments.is_empty(),
+            },
+        }
     }
 }
 

@@ -70,14 +70,13 @@ pub fn translate(text: &str, node: &Node, path: &str, error: &ron::error::Spanne
             let inner = field.map_or_else(|| parent(found), |f| node.path_at(f));
             (field.unwrap_or(start), words::unknown_field(&full(&inner), found, expected))
         }
-        E::MissingStructField { field, .. } => {
-            // The struct ends where the reader stands.
-            let holder = node.path_at(at);
+        E::MissingStructField { field, outer } => {
+            let holder = holder(outer.as_deref());
             let inner =
-                if holder.is_empty() { field.to_string() } else { format!("{holder}.{field}") };
+                if holder.is_empty() { (*field).to_string() } else { format!("{holder}.{field}") };
             let problem = Problem::new(full(&inner), "this field is missing")
                 .advice(format!("add {field}: {}", words::example(field)));
-            (node.locate(&holder).start, problem)
+            (node.locate(holder).start, problem)
         }
         E::DuplicateStructField { field, .. } => {
             (place.start, Problem::new(full(&parent(field)), "this field is given twice"))
@@ -96,18 +95,30 @@ pub fn translate(text: &str, node: &Node, path: &str, error: &ron::error::Spanne
     Found::new(at, problem)
 }
 
+/// Where in a mesh a struct of the mesh room stands; the mesh itself for one not known here.
+fn holder(name: Option<&str>) -> &'static str {
+    match name {
+        Some("LabRecord") => "laboratory",
+        Some("RatioRecord") => "ratios",
+        Some("WireData") => "wire",
+        Some("NetGeometry") => "wire.net",
+        Some("Distortion") => "wire.distortion",
+        _ => "",
+    }
+}
+
 /// What the `ron` crate says, without its terms.
 fn plain(error: &ron::Error) -> String {
     use ron::Error as E;
     match error {
         E::ExpectedFloat | E::ExpectedInteger => "a number is expected here".into(),
         E::ExpectedBoolean => "true or false is expected here".into(),
-        E::ExpectedString => "a text in quotes is expected here".into(),
+        E::ExpectedString => "a text in double quotes is expected here".into(),
         E::ExpectedArray => "a list in square brackets is expected here".into(),
         E::ExpectedStructLike | E::ExpectedNamedStructLike(_) => {
             "a group of fields in round brackets is expected here".into()
         }
-        E::InvalidValueForType { expected, .. } => format!("{expected} is expected here"),
+        E::InvalidValueForType { expected, .. } => format!("this should be {expected}"),
         E::ExpectedDifferentLength { expected, found } => {
             format!("{expected} is expected here, not {found} values")
         }

@@ -1,7 +1,9 @@
 //! Wording that the room's messages share: the closest known field, ranges, shortened values.
 
+use super::schema::{FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE};
+use crate::layout::LARGEST_LENGTH;
 use crate::problem::Problem;
-use crate::units::Quantity;
+use crate::units::{Quantity, to_kn};
 
 /// Longest piece of a file that is shown in a message, in characters.
 const LONGEST_SHOWN: usize = 40;
@@ -54,15 +56,16 @@ const ALSO_CALLED: &[(&str, &str)] = &[
 /// The known name that was most likely meant, if one is near.
 pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
     let lower = written.to_lowercase();
-    let also = ALSO_CALLED
+    let itself = known.iter().map(|k| (*k, *k));
+    let other = ALSO_CALLED
         .iter()
-        .find(|(other, name)| *other == lower && known.contains(name))
-        .and_then(|(_, name)| known.iter().find(|k| *k == name));
-    if let Some(name) = also {
-        return Some(name);
-    }
-    let near = |k: &&&str| distance(&lower, &k.to_lowercase());
-    known.iter().min_by_key(near).filter(|k| near(k) <= k.len().min(6) / 2).copied()
+        .filter_map(|(other, name)| known.iter().find(|k| *k == name).map(|k| (*other, *k)));
+    itself
+        .chain(other)
+        .map(|(called, name)| (distance(&lower, &called.to_lowercase()), called, name))
+        .filter(|(steps, called, _)| *steps <= called.len().min(6) / 2)
+        .min_by_key(|(steps, ..)| *steps)
+        .map(|(.., name)| name)
 }
 
 /// How many letters must be put in, taken out or changed to get from one word to the other.
@@ -104,21 +107,22 @@ pub fn example(field: &str) -> &'static str {
         "force" => "73.3",
         "deflection" => "0.60",
         "statistic" => "Mean",
+        "laboratory" => "(force: 73.3, deflection: 0.60, statistic: Mean, source: \"...\")",
         "source" => "\"where the values stand\"",
         _ => "\"...\"",
     }
 }
 
 /// What a field takes, with its unit.
-pub fn range(field: &str) -> &'static str {
+pub fn range(field: &str) -> String {
     match field {
-        "d" | "D" => "above 0 m, below the spacing L",
-        "L" => "above 0, below 100 m",
-        "ex" | "ey" => "-L/2 to L/2 in m",
-        "design_force" => "above 0, up to 10000 kN",
-        "allowable_deflection" => "above 0, up to 10 m",
-        "gamma_resistance" | "gamma_load" => "0.5 to 5",
-        _ => "",
+        "d" | "D" => "above 0 m, below the spacing L".to_string(),
+        "L" => format!("above 0, below {LARGEST_LENGTH} m"),
+        "ex" | "ey" => "-L/2 to L/2 in m".to_string(),
+        "design_force" => format!("above 0, up to {} kN", to_kn(LARGEST_DESIGN_FORCE)),
+        "allowable_deflection" => format!("above 0, up to {LARGEST_DEFLECTION} m"),
+        "gamma_resistance" | "gamma_load" => format!("{} to {}", FACTOR_RANGE.0, FACTOR_RANGE.1),
+        _ => String::new(),
     }
 }
 
@@ -140,6 +144,7 @@ mod tests {
     fn slips_and_other_names_lead_to_the_field() {
         for (written, meant) in [
             ("spacing", "L"),
+            ("spaceing", "L"),
             ("l", "L"),
             ("E_x", "ex"),
             ("desing_force", "design_force"),

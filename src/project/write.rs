@@ -54,8 +54,7 @@ const HEAD: &str = "\
 // \"250 mm\", \"25000 N\". Comments stay when meshcast saves the file.
 ";
 
-const LAYOUT_HELP: &str = "\
-    // One entry a layout; anchors on a square grid, the net hung with its twists down the slope.
+const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, the net hung with its twists down the slope.
     //   name    unique
     //   d       side of the anchor plate, published range 0.16 to 0.48 m
     //   L       anchor spacing, published range 1.25 to 4.5 m
@@ -117,17 +116,25 @@ pub fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
     }
 }
 
-/// An item of `layouts`: its opening bracket stands where it is put, the other lines get `indent`.
-pub fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, line: &str) -> String {
-    let mut out = "(".to_string();
-    let inner = format!("{line}{indent}    ");
-    for field in super::decode::LAYOUT_FIELDS {
-        if let Some(value) = layout_field(l, field, default_mesh) {
-            let _ = write!(out, "{inner}{field}: {value},");
-        }
-    }
-    let _ = write!(out, "{line}{indent})");
-    out
+/// An item of `layouts`, one field a line: its opening bracket stands where it is put, the other
+/// lines begin with `indent`, and `newline` ends them.
+pub fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) -> String {
+    let fields: String = layout_fields(l, default_mesh)
+        .map(|field| format!("{newline}{indent}    {field},"))
+        .collect();
+    format!("({fields}{newline}{indent})")
+}
+
+/// An item of `layouts` on one line.
+pub fn layout_on_one_line(l: &NamedLayout, default_mesh: &str) -> String {
+    let fields: Vec<String> = layout_fields(l, default_mesh).collect();
+    format!("({})", fields.join(", "))
+}
+
+fn layout_fields(l: &NamedLayout, default_mesh: &str) -> impl Iterator<Item = String> {
+    super::decode::LAYOUT_FIELDS.iter().filter_map(move |field| {
+        layout_field(l, field, default_mesh).map(|value| format!("{field}: {value}"))
+    })
 }
 
 /// The text of a layout's field; nothing where it may be left out because it has its default.

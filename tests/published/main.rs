@@ -1,25 +1,52 @@
-//! The paper's printed values against the forecast: Table 1, digit for digit.
+//! The paper's printed values against the forecast, and every equation at values worked by hand.
+
+mod equations;
 
 use meshcast::forecast::forecast;
-use meshcast::layout::{BranchRule, Layout};
+use meshcast::forecast::published::{published, validate};
+use meshcast::layout::BranchRule;
 use meshcast::mesh::catalogue;
-
-/// Table 1 of Pol & Gabrieli (2021): d, L, D, ex, ey (m), F_a (kN, one decimal), delta_a (m, two).
-const TABLE_1: [([f64; 5], &str, &str); 5] = [
-    ([0.25, 2.5, 0.60, 0.00, 0.00], "22.8", "0.55"),
-    ([0.32, 2.5, 0.20, 0.00, 0.00], "13.0", "0.49"),
-    ([0.40, 3.0, 1.25, 0.00, 0.00], "31.0", "0.62"),
-    ([0.40, 4.0, 1.20, 2.00, 0.20], "37.1", "0.68"),
-    ([0.25, 3.5, 0.80, 0.55, 1.15], "15.3", "0.64"),
-];
+use meshcast::units::to_kn;
 
 #[test]
 fn table_1_comes_out_digit_for_digit() {
-    for ([plate, spacing, punch, ex, ey], force, deflection) in TABLE_1 {
-        let layout = Layout { plate, spacing, punch, ex, ey };
-        let result = forecast(&layout, &catalogue::reference(), BranchRule::Published).unwrap();
-        let field = result.field.unwrap();
-        assert_eq!(format!("{:.1}", field.values.force / 1000.0), force, "{layout:?}");
-        assert_eq!(format!("{:.2}", field.values.deflection), deflection, "{layout:?}");
+    let tests = &published().tests;
+    assert_eq!(tests.iter().map(|t| t.test).collect::<Vec<_>>(), [1, 2, 3, 4, 5]);
+    for test in tests {
+        let result =
+            forecast(&test.layout(), &catalogue::reference(), BranchRule::Published).unwrap();
+        let values = result.field.unwrap().values;
+        let force = format!("{:.1}", to_kn(values.force));
+        let deflection = format!("{:.2}", values.deflection);
+        let printed = (test.forecast.force.text(), test.forecast.deflection.text());
+        assert_eq!((force.as_str(), deflection.as_str()), printed, "test {}", test.test);
     }
+}
+
+/// The asset is the only place of the paper's values, so a slip in it would go unseen: the sum of each
+/// column of Table 1, added by hand from the paper, must hold.
+#[test]
+fn the_asset_holds_the_papers_table() {
+    let tests = &published().tests;
+    let sum = |value: fn(&meshcast::forecast::published::PublishedTest) -> f64| -> String {
+        format!("{:.2}", tests.iter().map(value).sum::<f64>())
+    };
+    assert_eq!(sum(|t| t.plate), "1.62");
+    assert_eq!(sum(|t| t.spacing), "15.50");
+    assert_eq!(sum(|t| t.punch), "4.05");
+    assert_eq!((sum(|t| t.ex), sum(|t| t.ey)), ("2.55".into(), "1.35".into()));
+    assert_eq!(sum(|t| t.dem.force.value()), "116.70");
+    assert_eq!(sum(|t| t.dem.deflection.value()), "2.99");
+    assert_eq!(sum(|t| t.forecast.force.value()), "119.20");
+    assert_eq!(sum(|t| t.forecast.deflection.value()), "2.98");
+}
+
+#[test]
+fn every_other_printed_number_comes_out_and_the_oddity_is_as_disclosed() {
+    let validation = validate();
+    for (fact, compared) in &validation.facts {
+        assert!(compared.agrees(), "{}: {}", fact.words, compared.ours);
+    }
+    assert!(validation.reference_force.agrees() && validation.reference_deflection.agrees());
+    assert!(validation.agrees());
 }

@@ -154,7 +154,6 @@ impl Node {
     }
 
     /// The value at a path such as `layouts[2].d`, or the nearest one above it that is there.
-    /// The place is that of the field's name where there is one.
     pub fn locate(&self, path: &str) -> Span {
         let mut node = self;
         let mut place = self.span;
@@ -168,8 +167,8 @@ impl Node {
                 Err(_) => inner.field(step),
             };
             let Some(entry) = next else { break };
-            place = entry.span();
             node = &entry.value;
+            place = node.span;
         }
         place
     }

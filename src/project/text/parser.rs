@@ -290,9 +290,15 @@ impl<'t> Parser<'t> {
     fn character(&mut self) -> Result<Kind, SyntaxError> {
         let start = self.at;
         let line = self.rest().split('\n').next().unwrap_or("");
-        let escaped = line.starts_with("'\\");
-        match line.char_indices().skip(if escaped { 3 } else { 2 }).find(|c| c.1 == '\'') {
-            Some((end, _)) => {
+        // One character, or a backslash and what belongs to it.
+        let first = line.chars().nth(1).map_or(0, char::len_utf8);
+        let end = if line.starts_with("'\\") {
+            line.char_indices().skip(3).find(|c| c.1 == '\'').map(|c| c.0)
+        } else {
+            line.get(1 + first..).filter(|rest| rest.starts_with('\'')).map(|_| 1 + first)
+        };
+        match end {
+            Some(end) => {
                 self.at += end + 1;
                 Ok(Kind::Other)
             }
@@ -305,6 +311,7 @@ impl<'t> Parser<'t> {
     fn group(&mut self, start: usize, name: Option<String>) -> Result<Node, SyntaxError> {
         let open = self.at;
         if self.path.len() > DEEPEST {
+            self.path.truncate(3);
             return Err(self
                 .error(open, "brackets are nested too deep")
                 .with_advice(format!("a project needs fewer than {DEEPEST} levels")));
@@ -429,8 +436,11 @@ impl<'t> Parser<'t> {
         )
     }
 
-    fn comma_missing(&self, previous: &Entry, open: usize, close: char) -> SyntaxError {
+    fn comma_missing(&mut self, previous: &Entry, open: usize, close: char) -> SyntaxError {
         let shown = self.word_at(self.at);
+        if let Some((key, _)) = &previous.key {
+            self.path.push(Step::Key(key.clone()));
+        }
         let value = previous.value.span.of(self.text);
         let number = matches!(previous.value.kind, Kind::Number(_));
         if number && matches!(shown, "m" | "mm" | "cm" | "kN" | "N" | "MN") {
