@@ -18,6 +18,7 @@ pub mod capabilities;
 mod cells;
 mod error;
 mod events;
+mod files;
 mod guard;
 mod hangup;
 mod input;
@@ -36,6 +37,7 @@ mod tty;
 
 pub use error::TermError;
 pub use events::Mail;
+pub use files::ProjectFiles;
 pub use guard::restore;
 pub use keys::key_from;
 pub use painter::{Charset, Meter, Painter};
