@@ -1,5 +1,6 @@
 //! Results to standard output, everything else to standard error, and exit codes.
 
+use crate::project::LoadError;
 use crate::units::without_noise;
 use clap::ValueEnum;
 use serde::Serializer;
@@ -47,6 +48,16 @@ impl Fault {
     /// One thing that is wrong with the input.
     pub fn input(said: impl Into<String>) -> Fault {
         Fault::Input(vec![said.into()])
+    }
+}
+
+impl From<LoadError> for Fault {
+    fn from(error: LoadError) -> Fault {
+        if error.is_bad_input() {
+            Fault::input(error.to_string())
+        } else {
+            Fault::Failure(error.to_string())
+        }
     }
 }
 

@@ -8,15 +8,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The files of one open project.
 #[derive(Debug)]
-pub struct ProjectFiles {
+pub struct FileHost {
     home: Home,
     document: Mutex<Arc<Document>>,
 }
 
-impl ProjectFiles {
+impl FileHost {
     /// For a project that was just opened.
-    pub fn new(document: Document, home: Home) -> ProjectFiles {
-        ProjectFiles { home, document: Mutex::new(Arc::new(document)) }
+    pub fn new(document: Document, home: Home) -> FileHost {
+        FileHost { home, document: Mutex::new(Arc::new(document)) }
     }
 
     /// The lock is only held to copy or replace a pointer: nobody waits for a disk behind it.
@@ -29,7 +29,7 @@ impl ProjectFiles {
     }
 }
 
-impl Host for ProjectFiles {
+impl Host for FileHost {
     /// Saves, drops recovery files that the save made pointless, and remembers the project for the
     /// next start.
     fn save(
@@ -67,7 +67,10 @@ impl Host for ProjectFiles {
 
 fn failure(error: &SaveError, path: Option<&Path>) -> SaveFailure {
     SaveFailure {
-        message: error.to_string(),
+        message: match error {
+            SaveError::NoPath => "no file yet; type :w PATH to save it".to_owned(),
+            other => other.to_string(),
+        },
         overwrite_helps: matches!(error, SaveError::ChangedOnDisk(_) | SaveError::Exists(_)),
         path: path.map(Path::to_path_buf),
     }
@@ -77,10 +80,10 @@ fn failure(error: &SaveError, path: Option<&Path>) -> SaveFailure {
 fn note(report: &SaveReport) -> Option<String> {
     let mut notes = Vec::new();
     if !report.comments_kept {
-        notes.push("its comments could not be kept".to_owned());
+        notes.push("the comments in it could not be kept".to_owned());
     }
     if let Some(version) = report.migrated_from {
-        notes.push(format!("brought up from format version {version}"));
+        notes.push(format!("brought from format {version} to the current one"));
     }
     if report.recreated {
         notes.push("it had been deleted and was made again".to_owned());

@@ -6,13 +6,13 @@ use std::fs;
 use tempfile::TempDir;
 
 /// A saved project, its files, and the directory that holds both it and the data directory.
-fn open() -> (TempDir, PathBuf, ProjectFiles, Project) {
+fn open() -> (TempDir, PathBuf, FileHost, Project) {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("road.ron");
     project::create(&path, &project::new_project("Road")).unwrap();
     let opened = project::load(&path).unwrap();
     let home = Home::at(Some(dir.path().join("data")));
-    (dir, path, ProjectFiles::new(opened.document, home), opened.project)
+    (dir, path, FileHost::new(opened.document, home), opened.project)
 }
 
 fn edited(project: &Project, name: &str) -> Arc<Project> {

@@ -37,7 +37,7 @@ mod tty;
 
 pub use error::TermError;
 pub use events::Mail;
-pub use files::ProjectFiles;
+pub use files::FileHost;
 pub use guard::restore;
 pub use keys::key_from;
 pub use painter::{Charset, Meter, Painter};

@@ -69,13 +69,7 @@ pub fn run(args: &ForecastArgs, ui: &UiFlags) -> Outcome {
     let cases = match &args.project {
         None => vec![args.inputs.alone()?],
         Some(path) => {
-            let opened = project::load(path).map_err(|e| {
-                if e.is_bad_input() {
-                    Fault::input(e.to_string())
-                } else {
-                    Fault::Failure(e.to_string())
-                }
-            })?;
+            let opened = project::load(path)?;
             unit = unit.or(Some(opened.project.display.length_unit));
             args.inputs.of_project(&opened.project, args.layout.as_deref())?
         }
