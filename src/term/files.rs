@@ -1,94 +1,96 @@
-//! The project's file behind the interactive program: saving and the recovery file.
+//! The real outside world: the project's file, its recovery file, the list of recent projects.
 
 use super::program::Host;
 use crate::app::message::{SaveFailure, Saved};
-use crate::project::home::Home;
-use crate::project::{Document, Overwrite, Project, SaveError, SaveReport};
+use crate::project::{Document, Home, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// One open project file.
+/// The files of one open project.
+#[derive(Debug)]
 pub struct FileHost {
-    /// The document that saves; held while a save runs.
-    document: Mutex<Document>,
-    /// A copy of it for the recovery file, held for a moment only: the panic hook and the signal
-    /// thread must never wait for a save.
-    shadow: Mutex<Document>,
     home: Home,
+    document: Mutex<Arc<Document>>,
 }
 
 impl FileHost {
-    /// The host of an open document.
+    /// For a project that was just opened.
     pub fn new(document: Document, home: Home) -> FileHost {
-        FileHost { shadow: Mutex::new(document.clone()), document: Mutex::new(document), home }
+        FileHost { home, document: Mutex::new(Arc::new(document)) }
+    }
+
+    /// The lock is only held to copy or replace a pointer: nobody waits for a disk behind it.
+    fn slot(&self) -> MutexGuard<'_, Arc<Document>> {
+        self.document.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn document(&self) -> Arc<Document> {
+        Arc::clone(&self.slot())
     }
 }
 
-/// The value, also after a panic elsewhere: documents change in one step, never half.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
-}
-
 impl Host for FileHost {
+    /// Saves, drops recovery files that the save made pointless, and remembers the project for the
+    /// next start.
     fn save(
         &self,
         project: &Arc<Project>,
         path: Option<&Path>,
         overwrite: bool,
     ) -> Result<Saved, SaveFailure> {
-        let mut document = lock(&self.document);
-        let how = if overwrite { Overwrite::Yes } else { Overwrite::No };
-        let before = document.clone();
+        let before = self.document();
+        let mut document = Document::clone(&before);
+        let overwrite = if overwrite { Overwrite::Yes } else { Overwrite::No };
         let result = match path {
-            Some(path) => document.save_as(path, project, how),
-            None => document.save(project, how),
+            Some(path) => document.save_as(path, project, overwrite),
+            None => document.save(project, overwrite),
         };
-        match result {
-            Ok(report) => {
-                // What was kept of the old file is saved now, under whichever name.
-                before.discard_recovery(&self.home);
-                *lock(&self.shadow) = document.clone();
-                // Not being able to remember the file is no reason to call the save a failure.
-                let _ = self.home.remember(&report.path);
-                Ok(Saved { project: project.clone(), note: note(&report), path: report.path })
-            }
-            Err(error) => Err(SaveFailure {
-                overwrite_helps: matches!(
-                    error,
-                    SaveError::ChangedOnDisk(_) | SaveError::Exists(_)
-                ),
-                path: path.map(Path::to_path_buf),
-                message: match error {
-                    SaveError::NoPath => "no file yet; type :w PATH to save it".to_string(),
-                    other => other.to_string(),
-                },
-            }),
-        }
+        let report = result.map_err(|error| failure(&error, path))?;
+        before.discard_recovery(&self.home);
+        document.discard_recovery(&self.home);
+        *self.slot() = Arc::new(document);
+        // Not to be found at the next start is no reason to call the save failed.
+        let _ = self.home.remember(&report.path);
+        let note = note(&report);
+        Ok(Saved { project: Arc::clone(project), path: report.path, note })
     }
 
     fn recover(&self, project: &Project) -> Result<PathBuf, String> {
-        let document = lock(&self.shadow).clone();
-        document.keep(project, &self.home).map_err(|e| e.to_string())
+        self.document().keep(project, &self.home).map_err(|error| error.to_string())
     }
 
     fn forget_recovery(&self) -> Result<(), String> {
-        let document = lock(&self.shadow).clone();
-        document.discard_recovery(&self.home);
+        self.document().discard_recovery(&self.home);
         Ok(())
     }
 }
 
-/// What the user should know of a save.
+fn failure(error: &SaveError, path: Option<&Path>) -> SaveFailure {
+    SaveFailure {
+        message: match error {
+            SaveError::NoPath => "no file yet; type :w PATH to save it".to_owned(),
+            other => other.to_string(),
+        },
+        overwrite_helps: matches!(error, SaveError::ChangedOnDisk(_) | SaveError::Exists(_)),
+        path: path.map(Path::to_path_buf),
+    }
+}
+
+/// What the user should know of a save that worked.
 fn note(report: &SaveReport) -> Option<String> {
-    let mut parts = Vec::new();
+    let mut notes = Vec::new();
     if !report.comments_kept {
-        parts.push("the comments in it could not be kept".to_string());
+        notes.push("the comments in it could not be kept".to_owned());
     }
     if let Some(version) = report.migrated_from {
-        parts.push(format!("brought from format {version} to the current one"));
+        notes.push(format!("brought from format {version} to the current one"));
     }
     if report.recreated {
-        parts.push("it had been deleted and was made again".to_string());
+        notes.push("it had been deleted and was made again".to_owned());
     }
-    (!parts.is_empty()).then(|| parts.join("; "))
+    (!notes.is_empty()).then(|| notes.join("; "))
 }
+
+#[cfg(test)]
+#[path = "files_tests.rs"]
+mod tests;
