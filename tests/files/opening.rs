@@ -206,6 +206,6 @@ fn large_nonsense_is_refused_soon() {
     ] {
         assert!(project::parse(&text, "large").is_err());
     }
-    // About half a second in all here; a step that grows with the square would take minutes.
+    // One second alone on two cores; a step that grows with the square would take minutes.
     assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
 }

@@ -1,5 +1,5 @@
 //! Text to tree. Stops at the first thing that is no RON and says so in plain words, most of which
-//! stand in [`complaints`].
+//! stand in `complaints`.
 
 mod complaints;
 
