@@ -4,6 +4,7 @@
 mod cost;
 mod drawing;
 mod endings;
+mod program;
 mod pty;
 mod stopping;
 mod toy;

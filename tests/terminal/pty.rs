@@ -42,7 +42,6 @@ pub struct Launch {
 
 impl Launch {
     /// The built `meshcast`.
-    #[allow(dead_code)]
     pub fn meshcast() -> Launch {
         Launch::program(env!("CARGO_BIN_EXE_meshcast"))
     }
@@ -88,6 +87,12 @@ impl Launch {
         let name = name.into();
         self.env.retain(|(known, _)| *known != name);
         self.env.push((name, value.into()));
+        self
+    }
+
+    /// Takes an environment variable away.
+    pub fn without(mut self, name: &str) -> Launch {
+        self.env.retain(|(known, _)| known != name);
         self
     }
 
@@ -232,6 +237,11 @@ impl Pty {
         self.send(keys);
         thread::sleep(QUIET);
         self.settle() - before
+    }
+
+    /// Writes to the screen behind the program's back.
+    pub fn spoil(&self, bytes: &str) {
+        self.state().emulator.process(bytes.as_bytes());
     }
 
     /// Changes the size of the terminal.
