@@ -128,6 +128,10 @@ impl App {
             Action::PageUp => self.scroll(-self.page()),
             Action::PageDown => self.scroll(self.page()),
             Action::Take => self.take_mesh(),
+            // Going on without a decision would let new edits take the place of the kept ones.
+            Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
+                return vec![Effect::Quit];
+            }
             Action::Close => self.mode = Mode::Main,
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),

@@ -65,11 +65,19 @@ fn run(
         // Not being able to remember the file is no reason not to open it.
         let _ = home.remember(path);
     }
-    let kept = document.find_recovery(&home).and_then(|kept| document.recover(&kept).ok());
+    let mut note = note.or_else(|| migrated(&document));
+    let kept = document.find_recovery(&home).and_then(|kept| {
+        let project = document.recover(&kept);
+        if project.is_err() {
+            let path = kept.path.display();
+            note = Some(format!("edits kept from a lost session cannot be read: {path}"));
+        }
+        project.ok()
+    });
     let mut app = App::new(app::Start {
         project: Arc::new(project),
         path: document.path().map(|p| p.to_path_buf()),
-        note: note.or_else(|| migrated(&document)),
+        note,
         kept: kept.map(Arc::new),
         look: surroundings.look(color, glyphs),
         units: flags.units,

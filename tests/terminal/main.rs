@@ -5,6 +5,7 @@ mod cost;
 mod drawing;
 mod endings;
 mod program;
+mod projects;
 mod pty;
 mod stopping;
 mod toy;

@@ -1,234 +1,161 @@
-//! The whole program: started, used by keys and ended in a real terminal, its files looked at.
+//! The built program: a real project opened, edited, saved and reopened.
 
 use crate::pty::{Launch, Pty};
+use meshcast::project::{self, Project};
 use rustix::process::Signal;
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::process::{Command, Stdio};
 
-const PROJECT: &str = "\
-// The north side, after the survey.
-(
-    version: 1,
-    name: \"North side\",
-    layouts: [
-        (name: \"bench\", d: 0.25, L: 2.5, D: 0.6), // seen in spring
-        (name: \"gully\", d: 0.4, L: 3.0, D: 1.25),
-    ],
-)
-";
+const SAMPLE: &str = include_str!("../../projects/road-cut.ron");
 
-const CTRL_S: &str = "\x13";
-const DOWN: &str = "\x1b[B";
-
-/// The program about to be started, with its data directory inside its own home.
-fn meshcast() -> Launch {
+/// The program about to open a copy of a sample project, and the copy.
+fn with_sample() -> (Launch, PathBuf) {
     let launch = Launch::meshcast();
-    let data = launch.home().join("data");
-    launch.env("MESHCAST_DATA_DIR", data)
+    let path = launch.home().join("site.ron");
+    fs::write(&path, SAMPLE).unwrap();
+    (launch.arg(&path), path)
 }
 
-/// The program on a project file of its own, and that file.
-fn on_project() -> (Launch, PathBuf) {
-    let launch = meshcast();
-    let file = launch.home().join("north.ron");
-    fs::write(&file, PROJECT).unwrap();
-    (launch.arg("north.ron"), file)
+fn load(path: &Path) -> Project {
+    project::load(path).unwrap().project
 }
 
-fn quit(pty: &mut Pty) {
-    pty.send("q");
-    assert_eq!(pty.wait_exit().exit_code(), 0);
-    pty.assert_restored();
+fn first_layout(path: &Path) -> String {
+    load(path).layouts[0].name.clone()
+}
+
+/// Starts the program and waits for its first screen.
+fn open(launch: Launch, path: &Path) -> Pty {
+    let pty = launch.start();
+    pty.wait_for("site.ron");
+    pty.wait_for(&first_layout(path));
+    pty
+}
+
+/// Types a new plate size for the first layout.
+fn edit(pty: &Pty, value: &str) {
+    pty.send(value);
+    pty.send("\r");
+    pty.wait_for("site.ron *");
 }
 
 #[test]
 fn start_edit_save_quit() {
-    let (launch, file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("22.8 kN");
-    pty.send(&format!("{DOWN}2750mm\r"));
-    pty.wait_for("north.ron *");
-    pty.send(CTRL_S);
-    pty.wait_for("saved");
-    quit(&mut pty);
-    // One value changed, everything else, comments included, is as it was.
-    let expected = PROJECT.replacen("L: 2.5,", "L: 2.75,", 1);
-    assert_eq!(fs::read_to_string(&file).unwrap(), expected);
-}
-
-#[test]
-fn saving_without_an_edit_writes_the_same_bytes() {
-    let (launch, file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("bench");
-    pty.send(":w\r");
-    pty.wait_for("saved");
-    quit(&mut pty);
-    assert_eq!(fs::read_to_string(&file).unwrap(), PROJECT);
-}
-
-#[test]
-fn the_first_run_opens_a_copy_of_the_sample_and_the_next_the_last_project() {
-    let launch = meshcast();
-    let data = launch.home().join("data");
-    let kept = tempfile::tempdir().unwrap();
-    let mut pty = launch.start();
-    pty.wait_for("road-cut.ron");
-    let copied = fs::read(data.join("road-cut.ron")).unwrap();
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/road-cut.ron");
-    assert_eq!(copied, fs::read(sample).unwrap());
-    let elsewhere = kept.path().join("mine.ron");
-    pty.send(&format!(":w {}\r", elsewhere.display()));
-    pty.wait_for("saved");
-    // The data directory lives in this run's home: keep it for the next run.
-    let moved = kept.path().join("data");
-    fs::create_dir(&moved).unwrap();
-    fs::copy(data.join("state.ron"), moved.join("state.ron")).unwrap();
-    quit(&mut pty);
-    let mut again = Launch::meshcast().env("MESHCAST_DATA_DIR", moved).start();
-    again.wait_for("mine.ron");
-    quit(&mut again);
-}
-
-#[test]
-fn unsaved_edits_are_asked_about_and_can_be_discarded() {
-    let (launch, file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("bench");
-    pty.send("\x1b[Cq");
-    pty.wait_for("There are edits that are not saved");
-    pty.send("d");
-    assert_eq!(pty.wait_exit().exit_code(), 0);
-    assert_eq!(fs::read_to_string(&file).unwrap(), PROJECT);
-    assert!(!file.with_file_name(".north.ron.recovery").exists());
-}
-
-#[test]
-fn a_lost_line_keeps_the_edits_and_the_next_start_offers_them() {
-    let (launch, file) = on_project();
-    let copy = tempfile::tempdir().unwrap();
-    let mut pty = launch.start();
-    pty.wait_for("bench");
-    pty.send("0.31\r");
-    pty.wait_for("north.ron *");
-    pty.signal(Signal::HUP);
-    assert!(pty.ends_within(Duration::from_secs(4)));
-    let recovery = file.with_file_name(".north.ron.recovery");
-    assert_eq!(fs::read_to_string(&file).unwrap(), PROJECT);
-    assert!(fs::read_to_string(&recovery).unwrap().contains("d: 0.31"));
-    for name in ["north.ron", ".north.ron.recovery"] {
-        fs::copy(file.with_file_name(name), copy.path().join(name)).unwrap();
+    for save in ["\x13", ":w\r"] {
+        let (launch, path) = with_sample();
+        let mut pty = open(launch, &path);
+        edit(&pty, "0.29");
+        pty.send(save);
+        pty.wait_for("saved");
+        pty.send("q");
+        assert!(pty.wait_exit().success(), "{}", pty.dump());
+        pty.assert_restored();
+        let mut wanted = project::parse(SAMPLE, "sample").unwrap().project;
+        wanted.layouts[0].plate = 0.29;
+        assert_eq!(load(&path), wanted);
+        // Only the one number changed, comments and all.
+        let now = fs::read_to_string(&path).unwrap();
+        let changed = SAMPLE.lines().zip(now.lines()).filter(|(before, after)| before != after);
+        assert_eq!(changed.count(), 1);
+        assert_eq!(SAMPLE.lines().count(), now.lines().count());
     }
-    let mut again = meshcast().arg(copy.path().join("north.ron")).start();
-    again.wait_for("was cut off");
-    again.send("r");
-    again.wait_for("0.31");
-    again.send(CTRL_S);
-    // The message of taking the edits back has the word too.
-    again.wait_for("saved /");
-    assert!(fs::read_to_string(copy.path().join("north.ron")).unwrap().contains("d: 0.31"));
-    assert!(!copy.path().join(".north.ron.recovery").exists());
-    quit(&mut again);
 }
 
 #[test]
-fn a_file_changed_behind_our_back_is_not_overwritten_unasked() {
-    let (launch, file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("bench");
-    pty.send("\x1b[C");
-    pty.wait_for("north.ron *");
-    let theirs = PROJECT.replace("North side", "South side");
-    fs::write(&file, &theirs).unwrap();
-    pty.send(CTRL_S);
-    pty.wait_for("changed by something else");
-    assert_eq!(fs::read_to_string(&file).unwrap(), theirs);
-    pty.send("o");
-    pty.wait_for("saved");
-    assert!(fs::read_to_string(&file).unwrap().contains("d: 0.26"));
-    quit(&mut pty);
+fn opened_and_left_the_file_is_the_same() {
+    let (launch, path) = with_sample();
+    let mut pty = open(launch, &path);
+    pty.send("\t\x1b[B?");
+    pty.settle();
+    pty.send("qq");
+    assert!(pty.wait_exit().success());
+    assert_eq!(fs::read_to_string(&path).unwrap(), SAMPLE);
 }
 
 #[test]
-fn it_starts_without_a_home_and_with_a_read_only_data_directory() {
-    let launch = meshcast();
-    let data = launch.home().join("data");
-    fs::create_dir(&data).unwrap();
-    fs::set_permissions(&data, fs::Permissions::from_mode(0o555)).unwrap();
-    let mut pty = launch.start();
-    // The superuser may write anywhere, so whether the copy could be made is not asked here.
-    pty.wait_for("bench 1");
-    quit(&mut pty);
+fn what_a_dropped_line_left_is_offered_again() {
+    let (launch, path) = with_sample();
+    let home = launch.home();
+    let mut pty = open(launch, &path);
+    edit(&pty, "0.27");
+    pty.hang_up();
+    pty.wait_exit();
+    assert_eq!(fs::read_to_string(&path).unwrap(), SAMPLE);
 
-    let mut pty = Launch::meshcast()
-        .wrapped_in_shell(&format!("unset HOME; exec {}", env!("CARGO_BIN_EXE_meshcast")))
-        .env("MESHCAST_DATA_DIR", "/dev/null/nowhere")
-        .start();
-    pty.wait_for("bench 1");
-    pty.wait_for("kept nowhere");
-    quit(&mut pty);
+    let again = Launch::meshcast().arg(&path).env("HOME", &home);
+    let mut second = again.start();
+    second.wait_until("the offer", |screen| screen.contents().to_lowercase().contains("kept"));
+    second.send("r");
+    second.wait_for("site.ron *");
+    second.send("\x13");
+    second.wait_for("saved");
+    second.send("q");
+    assert!(second.wait_exit().success());
+    assert_eq!(load(&path).layouts[0].plate, 0.27);
+
+    // Saved and done with: nothing is offered any more.
+    let mut third = Launch::meshcast().arg(&path).env("HOME", &home).start();
+    third.wait_for("site.ron");
+    third.send("q");
+    assert!(third.wait_exit().success());
 }
 
 #[test]
-fn a_broken_file_is_an_error_on_one_screen_and_leaves_the_terminal_alone() {
-    let launch = meshcast();
-    fs::write(launch.home().join("bad.ron"), PROJECT.replacen("L: 2.5", "L: 2,5", 1)).unwrap();
-    let mut pty = launch.arg("bad.ron").start();
-    assert_eq!(pty.wait_exit().exit_code(), 2);
-    pty.wait_for("bad.ron");
-    pty.wait_for("line 6");
+fn a_signal_keeps_the_edits() {
+    let (launch, path) = with_sample();
+    let mut pty = open(launch, &path);
+    edit(&pty, "0.27");
+    pty.signal(Signal::TERM);
+    assert!(!pty.wait_exit().success());
     pty.assert_restored();
+    let kept = path.with_file_name(".site.ron.recovery");
+    assert_eq!(load(&kept).layouts[0].plate, 0.27);
 }
 
 #[test]
-fn no_color_sends_no_colour_and_old_terminals_get_ascii() {
-    let (launch, _file) = on_project();
-    let mut pty = launch.env("NO_COLOR", "1").env("LANG", "C").env("TERM", "vt100").start();
-    pty.wait_for("22.8 kN");
-    pty.send("\t?q");
-    pty.settle();
-    let bytes = pty.received();
-    quit(&mut pty);
-    let text = String::from_utf8(bytes).unwrap();
-    assert!(text.is_ascii());
-    for code in text.split("\x1b[").skip(1) {
-        let end = code.find(|c: char| c.is_ascii_alphabetic()).unwrap();
-        if &code[end..=end] == "m" {
-            let coloured = code[..end].split(';').any(|n| {
-                n.parse::<u32>()
-                    .is_ok_and(|n| (30..=38).contains(&n) || (40..=48).contains(&n) || n >= 90)
-            });
-            assert!(!coloured, "{code:?}");
-        }
+fn keys_cost_little_on_the_line() {
+    let (launch, path) = with_sample();
+    let pty = open(launch, &path);
+    assert_eq!(pty.cost_of(""), 0);
+    for (keys, budget) in [("\x1b[C", 1500), ("\x1b[D", 1500), ("\t", 4000), ("?", 4000)] {
+        let cost = pty.cost_of(keys);
+        assert!((1..budget).contains(&cost), "{keys:?}: {cost} bytes");
     }
 }
 
 #[test]
-fn nothing_is_sent_when_nothing_changes() {
-    let (launch, _file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("22.8 kN");
+fn ctrl_l_repairs_a_spoilt_screen() {
+    let (launch, path) = with_sample();
+    let pty = open(launch, &path);
     pty.settle();
-    // The first input has none above it.
-    assert_eq!(pty.cost_of("\x1b[A"), 0);
-    assert!(pty.cost_of("\x1b[C") < 1_500);
-    pty.send("u");
-    pty.settle();
-    quit(&mut pty);
+    let good = pty.dump();
+    pty.spoil("\x1b[3;3Hwall: the system goes down\x1b[31m");
+    assert_ne!(pty.dump(), good);
+    pty.send("\x0c");
+    pty.wait_until("the screen as it was", |screen| screen.contents() == good);
 }
 
 #[test]
-fn a_small_terminal_says_so_and_comes_back() {
-    let (launch, _file) = on_project();
-    let mut pty = launch.start();
-    pty.wait_for("22.8 kN");
-    pty.resize(30, 8);
-    pty.wait_for("too small: q quits");
-    pty.resize(40, 12);
-    pty.wait_for("22.8 kN");
-    pty.resize(120, 40);
-    pty.wait_for("along the curve");
-    quit(&mut pty);
+fn it_starts_without_a_home_and_with_one_that_cannot_be_written() {
+    let mut homeless = Launch::meshcast().without("HOME").start();
+    homeless.wait_for("meshcast");
+    homeless.settle();
+    homeless.send("q");
+    assert!(homeless.wait_exit().success(), "{}", homeless.dump());
+
+    let mut locked = Launch::meshcast().env("MESHCAST_DATA_DIR", "/proc/no/such/place").start();
+    locked.wait_for("meshcast");
+    locked.settle();
+    locked.send("q");
+    assert!(locked.wait_exit().success(), "{}", locked.dump());
+}
+
+#[test]
+fn without_a_terminal_it_helps_and_refuses() {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_meshcast")).stdin(Stdio::null()).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    assert!(!output.stderr.is_empty());
 }

@@ -90,6 +90,12 @@ impl Launch {
         self
     }
 
+    /// Takes an environment variable away.
+    pub fn without(mut self, name: &str) -> Launch {
+        self.env.retain(|(known, _)| known != name);
+        self
+    }
+
     /// Columns and rows.
     pub fn size(mut self, width: u16, height: u16) -> Launch {
         self.size = (width, height);
@@ -231,6 +237,11 @@ impl Pty {
         self.send(keys);
         thread::sleep(QUIET);
         self.settle() - before
+    }
+
+    /// Writes to the screen behind the program's back.
+    pub fn spoil(&self, bytes: &str) {
+        self.state().emulator.process(bytes.as_bytes());
     }
 
     /// Changes the size of the terminal.
