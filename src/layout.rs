@@ -60,40 +60,31 @@ impl Layout {
     /// Every field that is wrong, with its allowed range.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
-        let mut size =
-            |field: &str, symbol_and_words: &str, value: f64, limit: f64, limit_text: String| {
-                if !(value.is_finite() && value >= SMALLEST_LENGTH && value < limit) {
-                    let why = if !value.is_finite() {
-                        format!("{symbol_and_words} must be a finite number")
-                    } else if value <= 0.0 {
-                        format!("{symbol_and_words} must be above 0")
-                    } else if value < SMALLEST_LENGTH {
-                        format!("{symbol_and_words} is too small")
-                    } else {
-                        format!("{symbol_and_words} is too large")
-                    };
-                    problems.push(
-                        Problem::new(field, why)
-                            .value(length_value(value))
-                            .allowed(format!("above 0, below {limit_text}")),
-                    );
-                }
-            };
-        let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;
-        let (limit, text) = if sound {
-            (self.spacing, format!("the spacing L = {} m", shortest(self.spacing)))
-        } else {
-            (LARGEST_LENGTH, format!("{} m", shortest(LARGEST_LENGTH)))
+        // Nothing is written for what is sound: sweeps ask this of millions of layouts.
+        let mut size = |field: &str, words: &str, value: f64, limit: f64, limit_words: &str| {
+            if !(value.is_finite() && value >= SMALLEST_LENGTH && value < limit) {
+                let why = if !value.is_finite() {
+                    format!("{words} must be a finite number")
+                } else if value <= 0.0 {
+                    format!("{words} must be above 0")
+                } else if value < SMALLEST_LENGTH {
+                    format!("{words} is too small")
+                } else {
+                    format!("{words} is too large")
+                };
+                problems.push(
+                    Problem::new(field, why)
+                        .value(length_value(value))
+                        .allowed(format!("above 0, below {limit_words}{} m", shortest(limit))),
+                );
+            }
         };
-        size("d", "plate side d", self.plate, limit, text.clone());
-        size(
-            "L",
-            "spacing L",
-            self.spacing,
-            LARGEST_LENGTH,
-            format!("{} m", shortest(LARGEST_LENGTH)),
-        );
-        size("D", "punch diameter D", self.punch, limit, text);
+        let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;
+        let (limit, limit_words) =
+            if sound { (self.spacing, "the spacing L = ") } else { (LARGEST_LENGTH, "") };
+        size("d", "plate side d", self.plate, limit, limit_words);
+        size("L", "spacing L", self.spacing, LARGEST_LENGTH, "");
+        size("D", "punch diameter D", self.punch, limit, limit_words);
         for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
                 let why =

@@ -97,6 +97,8 @@ pub struct Map {
 #[derive(Debug)]
 struct Surface {
     table: Vec<Vec<Option<(f64, f64)>>>,
+    /// Largest standard deviation of the table.
+    largest_sd: f64,
     smooth: [f64; TERMS],
     correction: Vec<f64>,
     /// Value of the corrected surface at the centre, 1 to rounding; dividing by it makes it exact.
@@ -189,7 +191,7 @@ impl Map {
         let one = |s: &Surface| {
             let smooth = s.smooth_value(&basis);
             let corrected = smooth * s.correction_value(&kernels) / s.at_centre;
-            let sd = cell.interpolate(&s.table) * (1.0 - nearness);
+            let sd = cell.interpolate(s) * (1.0 - nearness);
             (corrected, libm::sqrt(sd * sd + (corrected - smooth) * (corrected - smooth)))
         };
         let (force, force_sd) = one(&self.force);
@@ -237,8 +239,13 @@ impl Surface {
         let mut smooth = [0.0; TERMS];
         smooth.copy_from_slice(&solution);
 
-        let mut surface =
-            Surface { table: table.to_vec(), smooth, correction: Vec::new(), at_centre: 1.0 };
+        let mut surface = Surface {
+            table: table.to_vec(),
+            largest_sd: table.iter().flatten().flatten().map(|e| e.1).fold(0.0, f64::max),
+            smooth,
+            correction: Vec::new(),
+            at_centre: 1.0,
+        };
         let matrix: Vec<Vec<f64>> = centres
             .iter()
             .map(|at| centres.iter().map(|c| kernel(*at, *c, file.correction_length)).collect())
@@ -358,9 +365,9 @@ impl Cell {
 
     /// The standard deviation between the corners; a corner without data takes the largest of the
     /// table, because nothing is known there.
-    fn interpolate(&self, table: &[Vec<Option<(f64, f64)>>]) -> f64 {
-        let largest = table.iter().flatten().flatten().map(|e| e.1).fold(0.0, f64::max);
-        self.corners().iter().map(|&(r, c, w)| w * table[r][c].map_or(largest, |e| e.1)).sum()
+    fn interpolate(&self, surface: &Surface) -> f64 {
+        let sd = |r: usize, c: usize| surface.table[r][c].map_or(surface.largest_sd, |e| e.1);
+        self.corners().iter().map(|&(r, c, w)| w * sd(r, c)).sum()
     }
 }
 
