@@ -109,7 +109,7 @@ fn design_lines(app: &App, theme: &Theme) -> Lines {
     }
     if factors && (design.at_force.is_some() || design.at_deflection.is_some()) {
         lines.push((
-            format!("factors: load {}, resist. {}", layout.gamma_load, layout.gamma_resistance),
+            format!("factors gL {}, gR {}", layout.gamma_load, layout.gamma_resistance),
             theme.text,
         ));
     }
