@@ -179,7 +179,7 @@ impl Warning {
             Warning::EccentricityFolded { .. } => "offset taken back into the cell".into(),
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
             Warning::PanelConverted { .. } => "laboratory panel converted".into(),
-            Warning::ReferencePoint { .. } => "0.93 of F_a* here, as published".into(),
+            Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
             Warning::ExampleMesh => "example mesh, not a product".into(),
         }
     }

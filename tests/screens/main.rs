@@ -4,4 +4,3 @@ mod harness;
 mod readme;
 mod scripts;
 mod snapshots;
-mod traffic;

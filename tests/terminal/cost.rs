@@ -4,10 +4,8 @@ use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
 use meshcast::app::message::Message;
 use meshcast::app::{App, Start};
-use meshcast::layout::Layout;
-use meshcast::mesh::REFERENCE_ID;
-use meshcast::project::{NamedLayout, Project};
 use meshcast::term::{Charset, Painter, Program};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Most bytes for an edit of a value at 80x24.
@@ -30,20 +28,9 @@ struct Bench {
 
 impl Bench {
     fn new(look: Look, size: (u16, u16)) -> Bench {
-        let layouts = [
-            ("bench 2", [0.25, 2.5, 0.60, 0.0, 0.0]),
-            ("shelf", [0.32, 2.5, 0.20, 0.0, 0.0]),
-            ("bench 3", [0.40, 3.0, 1.25, 0.0, 0.0]),
-            ("portal", [0.40, 4.0, 1.20, 2.0, 0.20]),
-            ("gully", [0.25, 3.5, 0.80, 0.55, 1.15]),
-        ];
-        let mut project = Project::starter("Road cut");
-        project.layouts = layouts
-            .into_iter()
-            .map(|(name, [plate, spacing, punch, ex, ey])| {
-                NamedLayout::new(name, Layout { plate, spacing, punch, ex, ey }, REFERENCE_ID)
-            })
-            .collect();
+        // The sample as it is, design lines on the chart included.
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/road-cut.ron");
+        let project = meshcast::project::load(&file).unwrap().project;
         let app = App::new(Start {
             project: Arc::new(project),
             path: Some("/site/road-cut.ron".into()),
