@@ -30,7 +30,7 @@ fn a_value_out_of_range_is_said_by_its_flag() {
     says(&["forecast", "-D", "3"], &["-D = 3.0 m", "too large", "below the spacing L = 3.0 m"]);
     says(&["forecast", "-L", "0"], &["-L = 0.0 m", "above 0, below 100.0 m"]);
     says(&["forecast", "-L", "-3"], &["-L = -3.0 m"]);
-    says(&["forecast", "--gamma-load", "9"], &["--gamma-load = 9.0", "0.5 to 5.0"]);
+    says(&["forecast", "--gamma-load", "9"], &["--gamma-load = 9.0", "0.5 to 5"]);
     says(&["forecast", "--force", "-1"], &["--force = -1.0 kN", "above 0"]);
     says(&["forecast", "--deflection", "0"], &["--deflection = 0.0 m", "above 0"]);
     // What the user did not give is named as a default, with what to do.
