@@ -8,6 +8,7 @@
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 
 pub mod curve;
+pub mod dem;
 pub mod layout;
 pub mod mesh;
 pub mod problem;

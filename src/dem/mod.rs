@@ -1,0 +1,9 @@
+//! The check.
+pub mod dome;
+pub mod hash;
+pub mod inertia;
+pub mod lattice;
+pub mod law;
+pub mod plain;
+pub mod scene;
+pub mod stepper;
