@@ -1,5 +1,6 @@
 //! The check.
 pub mod dome;
+pub mod fast;
 pub mod hash;
 pub mod inertia;
 pub mod lattice;

@@ -1,6 +1,10 @@
-use meshcast::dem::{inertia::StepFactors, plain::*, scene::*, stepper::*};
+use meshcast::dem::{fast::*, inertia::StepFactors, plain::*, scene::*, stepper::*};
 use meshcast::layout::*;
 use meshcast::mesh::laws;
+fn cpu() -> f64 {
+    let s = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap();
+    s.split(' ').next().unwrap().parse::<f64>().unwrap() * 1e-9
+}
 fn main() {
     let a: Vec<String> = std::env::args().collect();
     let which = a[1].as_str();
@@ -18,59 +22,74 @@ fn main() {
         layout = Layout { spacing: 4.0, punch: 1.2, plate: 0.4, ex: 2.0, ey: 0.2 };
     }
     let scene = Scene::new(&SceneSpec { layout, test, wire, phase: PLAIN_PHASE, seed: 1 }).unwrap();
-    let t = std::time::Instant::now();
-    let mut s = if a.get(3).map(|x| x == "uni").unwrap_or(false) {
-        Plain::of_scene(&scene, Inertia::Uniform(0.0039 / 6.222e-6f64.powi(2)), Damping::Local(0.5))
-    } else {
-        let c: f64 = a[3].parse().unwrap();
-        let g: f64 = a[4].parse().unwrap();
-        Plain::of_scene(
-            &scene,
-            Inertia::Pairs(StepFactors { translation: c, stretching: 0.8 }),
-            Damping::Viscous(g),
-        )
+    let c: f64 = a[4].parse().unwrap();
+    let g: f64 = a[5].parse().unwrap();
+    let factors = StepFactors { translation: c, stretching: 0.8 };
+    let path = match a.get(6).map(|s| s.as_str()) {
+        Some("2") => Path::Avx2,
+        Some("s") => Path::Sse2,
+        Some("p") => Path::Portable,
+        _ => Path::Avx512,
     };
+    let t = cpu();
+    let mut s: Box<dyn Stepper> = match a[3].as_str() {
+        "uni" => Box::new(Plain::of_scene(
+            &scene,
+            Inertia::Uniform(0.0039 / 6.222e-6f64.powi(2)),
+            Damping::Local(0.5),
+        )),
+        "plain" => Box::new(Plain::of_scene(&scene, Inertia::Pairs(factors), Damping::Viscous(g))),
+        "f32" => Box::new(Fast::<f32>::new(
+            &scene,
+            FastOptions { factors, damping: g, true_unloading: false, path },
+        )),
+        "f32t" => Box::new(Fast::<f32>::new(
+            &scene,
+            FastOptions { factors, damping: g, true_unloading: true, path },
+        )),
+        "f64" => Box::new(Fast::<f64>::new(
+            &scene,
+            FastOptions { factors, damping: g, true_unloading: false, path },
+        )),
+        _ => Box::new(Fast::<f64>::new(
+            &scene,
+            FastOptions { factors, damping: g, true_unloading: true, path },
+        )),
+    };
+    let setup = cpu() - t;
     let mut known = vec![];
-    let n = (0.002 / v).round() as usize;
-    let mut next = 0.1;
-    let mut loss = 0.0;
-    let mut work = 0.0;
+    let blocks = ((0.002 / v / 4.0).round() as usize).max(1);
     let mut steps = 0;
-    loop {
-        let b = s.advance(n, v);
-        steps += n;
-        let ke = s.kinetic();
-        work += b.punch * n as f64 * v;
-        loss += s.damping_loss().unwrap_or(0.0) * ke * n as f64;
-        if s.deflection() > next {
-            let e = s.energies();
-            println!(
-                "{:.4} {:.3} {:.3} w {:.3} ke {:.3e} in {:.1} W {:.1} loss {:.1} bal {:.4} util {:.3}",
-                b.deflection,
-                b.punch / 1e3,
-                b.support / 1e3,
-                (0.4 * b.punch + 0.6 * b.support) / 1e3,
-                ke,
-                e.bonds,
-                work,
-                loss,
-                (work - e.bonds - e.kinetic - e.contact - loss) / work,
-                s.utilisation()
-            );
-            next += 0.05;
+    let mut out = String::new();
+    'l: loop {
+        let (mut d, mut p, mut q) = (0.0, 0.0, 0.0);
+        for _ in 0..blocks {
+            let b = s.advance(4, v);
+            steps += 4;
+            d += b.deflection;
+            p += b.punch;
+            q += b.support;
+            if s.broken(&mut known) > 0 {
+                break 'l;
+            }
+            if s.deflection() > 1.0 {
+                break 'l;
+            }
         }
-        if s.broken(&mut known) > 0 {
-            println!(
-                "BREAK {:.4} {:.3} {:.3} w {:.3} {:?} t {:.2} us/step {:.1}",
-                b.deflection,
-                b.punch / 1e3,
-                b.support / 1e3,
-                (0.4 * b.punch + 0.6 * b.support) / 1e3,
-                known,
-                t.elapsed().as_secs_f64(),
-                t.elapsed().as_secs_f64() * 1e6 / steps as f64
-            );
-            break;
-        }
+        let n = blocks as f64;
+        out += &format!("{:.17} {:.17} {:.17}\n", d / n, p / n, q / n);
     }
+    let t2 = cpu() - t;
+    eprintln!(
+        "BREAK {:.5} {:?} setup {:.2} ms total {:.1} ms steps {} us/step {:.2}",
+        s.deflection(),
+        known,
+        setup * 1e3,
+        t2 * 1e3,
+        steps,
+        (t2 - setup) * 1e6 / steps as f64
+    );
+    eprintln!("{}", out.lines().last().unwrap());
+    println!("# {}", s.deflection());
+    print!("{}", out);
 }
