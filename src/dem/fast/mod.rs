@@ -14,6 +14,7 @@
 
 pub mod kernel;
 pub mod lanes;
+pub mod plane;
 pub mod state;
 
 use super::inertia::{self, PairInertia, StepFactors};

@@ -11,6 +11,7 @@ use super::super::lattice::Role;
 use super::super::law::{BondCurve, Ramp};
 use super::super::scene::Scene;
 use super::lanes::Real;
+use super::plane::Plane;
 
 /// Places before the first row and behind the last one.
 pub const PAD: usize = 16;
@@ -105,11 +106,11 @@ pub fn curve(scene: &Scene, role: Role) -> &BondCurve {
 }
 
 /// Three planes: x, y and z.
-pub type Three<R> = [Vec<R>; 3];
+pub type Three<R> = [Plane<R>; 3];
 
 /// The state and all constants of a run.
 #[derive(Debug, Clone)]
-pub struct State<R> {
+pub struct State<R: Copy> {
     /// Columns and rows of pairs.
     pub columns: usize,
     /// Rows of pairs.
@@ -123,34 +124,33 @@ pub struct State<R> {
     /// Displacements in the last step, m.
     pub velocity: [Three<R>; 2],
     /// Inverse inertia, m/N: own terms of bottom and top, cross term.
-    pub inertia: [Vec<R>; 3],
+    pub inertia: [Plane<R>; 3],
     /// Factors out of the plane, over the ones in it.
     pub out_of_plane: R,
     /// Largest strain so far of twists, left and right wires.
-    pub top: [Vec<R>; 3],
+    pub top: [Plane<R>; 3],
     /// 1/l1 and ramp slope of each bond, by role; empty where all bonds of a kind are alike.
-    pub own: [[Vec<R>; 2]; 3],
+    pub own: [[Plane<R>; 2]; 3],
     /// Whether all bonds of a kind are alike.
     pub uniform: bool,
     /// Twist, then single wire.
     pub kinds: [Kind<R>; 2],
     /// Rest vectors: twist (along y), and half the opening and the projection of a wire.
     pub rest: (R, [R; 2]),
-    /// Forces of a row's left and right wires on their top nodes, N; for even rows, odd rows and the
-    /// last row.
-    pub wires: [[Three<R>; 2]; 3],
+    /// Forces of a row's bonds on their first nodes, N, by role; for even rows, odd rows and the last.
+    pub forces: [[Three<R>; 3]; 3],
     /// 1 where the bottom or the top node is fixed, else 0.
-    pub held: [Vec<R>; 2],
+    pub held: [Plane<R>; 2],
     /// Whether a block of a row holds a fixed node.
     pub holds: Vec<bool>,
     /// Whether a block of a row may touch the dome.
     pub near: Vec<bool>,
     /// Place of the bottom nodes of even and odd rows from the punch's axis along x, m.
-    pub across: [Vec<R>; 2],
+    pub across: [Plane<R>; 2],
     /// Place of a row's bottom and top nodes from the punch's axis along y, m.
     pub along: Vec<[R; 2]>,
     /// Sums over rows and steps of the force on the punch and on the support, by column, N.
-    pub sums: [Vec<R>; 2],
+    pub sums: [Plane<R>; 2],
     /// Part of the velocity that stays after a step.
     pub keep: R,
     /// See [`Real::GRAIN`].
@@ -181,9 +181,9 @@ impl<R: Real> State<R> {
         let (columns, rows) = (lattice.columns, lattice.rows);
         let stride = (columns + 2).div_ceil(BLOCK) * BLOCK;
         let size = 2 * PAD + (rows + 1) * stride;
-        let zeros = || vec![R::default(); size];
+        let zeros = || Plane::new(R::default(), size);
         let three = || std::array::from_fn(|_| zeros());
-        let row_zeros = || vec![R::default(); stride + 2 * PAD];
+        let row_zeros = || Plane::new(R::default(), stride + 2 * PAD);
         let samples = [Role::Twist, Role::Left].map(|role| {
             bond_values(scene, super::super::lattice::bond_number(0, role), role, unloading)
         });
@@ -192,7 +192,7 @@ impl<R: Real> State<R> {
             Kind::new(&scene.law.single, unloading[0], &samples[1]),
         ];
         let uniform = scene.uniform();
-        let plane_of_own = || if uniform { Vec::new() } else { vec![R::new(1.0); size] };
+        let plane_of_own = || Plane::new(R::new(1.0), if uniform { 0 } else { size });
         let dome = &scene.dome;
         let mut state = State {
             columns,
@@ -203,7 +203,7 @@ impl<R: Real> State<R> {
             velocity: [three(), three()],
             inertia: std::array::from_fn(|_| zeros()),
             out_of_plane: R::new(1.0 / super::super::inertia::OUT_OF_PLANE),
-            top: std::array::from_fn(|_| vec![R::new(MISSING); size]),
+            top: std::array::from_fn(|_| Plane::new(R::new(MISSING), size)),
             own: std::array::from_fn(|_| [plane_of_own(), plane_of_own()]),
             uniform,
             kinds,
@@ -211,7 +211,7 @@ impl<R: Real> State<R> {
                 R::new(lattice.twist),
                 [R::new(lattice.opening / 2.0), R::new(lattice.projection)],
             ),
-            wires: std::array::from_fn(|_| {
+            forces: std::array::from_fn(|_| {
                 std::array::from_fn(|_| std::array::from_fn(|_| row_zeros()))
             }),
             held: [zeros(), zeros()],
