@@ -6,7 +6,7 @@
 //!
 //! The two nodes of a pair are moved by their sum (the pair as a whole) and their difference (the
 //! twist stretching). With `s` the mean over the two nodes of the summed stiffness of their single
-//! wires, `kt` the twist's stiffness and `kn` the contact's,
+//! wires (at least twice that of the stiffest), `kt` the twist's stiffness and `kn` the contact's,
 //!
 //! - sum mode: inertia of a node (s + kn) / (2 c^2),
 //! - difference mode: (s + kt + kn) / (2 cd^2),
@@ -28,6 +28,11 @@ pub struct StepFactors {
     /// cd, of the twist's stretching; 0 to about 0.9.
     pub stretching: f64,
 }
+
+/// Least `s` over the stiffness of the stiffest wire. Between alike wires `s` is twice a wire's
+/// stiffness and this changes nothing. With random slack a wire can be many times stiffer than its
+/// neighbours; then no direction is left over which its stiffness could be shared.
+pub const LONE_WIRE: f64 = 2.0;
 
 /// Factor on the inertia against motion out of the net's plane.
 pub const OUT_OF_PLANE: f64 = 0.5;
@@ -77,7 +82,8 @@ pub fn pairs(
     let wires = wire_sums(lattice, stiffness);
     (0..lattice.pairs())
         .map(|pair| {
-            let s = 0.5 * (wires[pair][0] + wires[pair][1]);
+            let mean = 0.5 * (wires[pair].sum[0] + wires[pair].sum[1]);
+            let s = mean.max(LONE_WIRE * wires[pair].most);
             let kt = stiffness(bond_number(pair, Role::Twist));
             let c2 = 2.0 * factors.translation * factors.translation;
             let cd2 = 2.0 * factors.stretching * factors.stretching;
@@ -96,20 +102,30 @@ pub fn pairs(
         .collect()
 }
 
-/// Summed stiffness of the single wires at the bottom and the top node of each pair, N/m.
-fn wire_sums(lattice: &Lattice, stiffness: &dyn Fn(usize) -> f64) -> Vec<[f64; 2]> {
-    let mut sums = vec![[0.0; 2]; lattice.pairs()];
+/// Stiffness of the single wires at a pair, N/m.
+#[derive(Debug, Clone, Copy, Default)]
+struct Wires {
+    /// Summed, at the bottom and at the top node.
+    sum: [f64; 2],
+    /// Of the stiffest.
+    most: f64,
+}
+
+fn wire_sums(lattice: &Lattice, stiffness: &dyn Fn(usize) -> f64) -> Vec<Wires> {
+    let mut wires = vec![Wires::default(); lattice.pairs()];
     for row in 0..lattice.rows {
         for column in 0..lattice.columns {
             let pair = row * lattice.columns + column;
             for role in [Role::Left, Role::Right] {
                 if let Some((up, side)) = lattice.upper(row, column, role) {
                     let k = stiffness(bond_number(pair, role));
-                    sums[pair][1] += k;
-                    sums[up * lattice.columns + side][0] += k;
+                    for (pair, end) in [(pair, 1), (up * lattice.columns + side, 0)] {
+                        wires[pair].sum[end] += k;
+                        wires[pair].most = wires[pair].most.max(k);
+                    }
                 }
             }
         }
     }
-    sums
+    wires
 }

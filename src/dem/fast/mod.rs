@@ -287,16 +287,15 @@ impl<R: Kernel> Stepper for Fast<R> {
     fn utilisation(&self) -> f64 {
         let mut most = 0.0_f64;
         for (k, plane) in self.state.top.iter().enumerate() {
-            let rupture = self.state.kinds[usize::from(k > 0)].rupture.wide();
+            let rupture = self.state.kinds[usize::from(k > 0)].rupture;
+            let mut top = R::default();
             for row in 0..self.state.rows {
                 let at = self.state.at(row, 0);
-                for top in &plane[at..at + self.state.columns] {
-                    let part = top.wide() / rupture;
-                    if part <= 1.0 {
-                        most = most.max(part);
-                    }
+                for t in &plane[at..at + self.state.columns] {
+                    top = if *t > top && *t <= rupture { *t } else { top };
                 }
             }
+            most = most.max(top.wide() / rupture.wide());
         }
         most
     }
