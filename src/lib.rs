@@ -12,4 +12,5 @@ pub mod dem;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
+pub mod study;
 pub mod units;
