@@ -80,7 +80,8 @@ pub struct Plain {
     /// Factor on the inertia out of the plane.
     out_of_plane: f64,
     deflection: f64,
-    offset: [f64; 2],
+    /// Places of the nodes from the panel's corner, m, for drawing.
+    corner: Vec<[f64; 2]>,
     contact_energy: f64,
 }
 
@@ -99,7 +100,7 @@ impl Plain {
             damping,
             out_of_plane: 1.0,
             deflection: 0.0,
-            offset: [0.0; 2],
+            corner: net.places.iter().map(|p| [p[0], p[1]]).collect(),
             contact_energy: 0.0,
             net,
         }
@@ -112,6 +113,7 @@ impl Plain {
             curves: vec![scene.law.single.clone(), scene.law.twist.clone()],
             ..PlainNet::default()
         };
+        let mut corner = Vec::new();
         for row in 0..lattice.rows {
             for column in 0..lattice.columns {
                 let pair = row * lattice.columns + column;
@@ -119,6 +121,7 @@ impl Plain {
                     [lattice.bottom(row, column), lattice.top(row, column)].into_iter().enumerate()
                 {
                     let seen = scene.from_axis(place);
+                    corner.push(place);
                     net.places.push([seen[0], seen[1], 0.0]);
                     net.fixed.push(scene.fixed[pair][end]);
                 }
@@ -148,7 +151,7 @@ impl Plain {
         let mut plain = Plain::new(net, damping);
         plain.out_of_plane = if factors.is_some() { inertia::OUT_OF_PLANE } else { 1.0 };
         plain.dome = Some(scene.dome);
-        plain.offset = scene.axis;
+        plain.corner = corner;
         plain
     }
 
@@ -344,11 +347,6 @@ impl Stepper for Plain {
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {
-        self.net
-            .places
-            .iter()
-            .zip(&self.moved)
-            .map(|(p, u)| [p[0] + u[0] + self.offset[0], p[1] + u[1] + self.offset[1], u[2]])
-            .collect()
+        self.corner.iter().zip(&self.moved).map(|(p, u)| [p[0] + u[0], p[1] + u[1], u[2]]).collect()
     }
 }

@@ -2,10 +2,15 @@
 //!
 //! - [`clock`]: processor time and time on the wall.
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band.
-//! - `bench`: run time against error on the bench scenes; `convergence`: error against each knob.
-//! - `calibrate`: a wire law that reproduces a mesh's punch test.
-//! - `published`: the paper's own results, as ensembles.
-//! - `record`: an ensemble as JSON.
+//! - [`bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob.
+//! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
+//! - [`published`]: the paper's own results, as ensembles.
+//! - [`record`]: an ensemble as JSON.
 
+pub mod bench;
+pub mod calibrate;
 pub mod clock;
+pub mod convergence;
 pub mod ensemble;
+pub mod published;
+pub mod record;

@@ -1,69 +1,107 @@
 use meshcast::dem::*;
-use meshcast::layout::*;
 use meshcast::mesh::laws;
-unsafe extern "C" {
-    fn clock_gettime(id: i32, t: *mut [i64; 2]) -> i32;
-}
-fn cpu() -> f64 {
-    let mut t = [0i64; 2];
-    unsafe { clock_gettime(3, &mut t) };
-    t[0] as f64 + t[1] as f64 * 1e-9
-}
+use meshcast::study::*;
 fn main() {
     let a: Vec<String> = std::env::args().collect();
-    let which = a[1].as_str();
-    let (test, l, wire) = match which {
-        "ya" => (Test::Anchored, 3.04, laws::yade()),
-        "yl" => (Test::Laboratory, 3.0, laws::yade()),
-        "A" => (Test::Anchored, 3.0, laws::bench()),
-        "B" => (Test::Laboratory, 3.0, laws::bench()),
-        "C" => (Test::Anchored, 4.0, laws::bench()),
-        "D" => (Test::Anchored, 2.5, laws::bench()),
-        "Rl" => (Test::Laboratory, 3.0, laws::reference()),
-        _ => (Test::Anchored, 3.0, laws::reference()),
-    };
-    let mut layout = Layout { spacing: l, ..REFERENCE };
-    if which == "C" {
-        layout = Layout { spacing: 4.0, punch: 1.2, plate: 0.4, ex: 2.0, ey: 0.2 };
+    match a[1].as_str() {
+        "bench" => {
+            let names: Vec<&str> =
+                if a.len() > 2 { vec![a[2].as_str()] } else { bench::SCENES.to_vec() };
+            let (rows, known) = bench::table(&names, &mut |s| eprintln!("{s}")).unwrap();
+            for r in rows {
+                println!(
+                    "{} {:<10} {:8.1} ms {:7} steps F {:+.3} d {:+.3} curve {:.3} est {:.3} x{:.1}  {:.3} kN {:.4} m",
+                    r.scene,
+                    r.fidelity,
+                    r.wall_ms,
+                    r.steps,
+                    r.force_error,
+                    r.deflection_error,
+                    r.curve_error,
+                    r.estimate,
+                    r.faster,
+                    r.force,
+                    r.deflection
+                );
+            }
+            for k in known {
+                println!("{k:?}");
+            }
+        }
+        "conv" => {
+            for r in convergence::tables(&[a[2].as_str()], &mut |s| eprintln!("{s}")).unwrap() {
+                println!(
+                    "{} {:<9} {:<8} F {:+.3} d {:+.3} curve {:.3} order {:?} est {:.3} kin {:.2e}",
+                    r.scene,
+                    r.knob,
+                    r.value,
+                    r.force,
+                    r.deflection,
+                    r.curve,
+                    r.order.map(|o| (o * 100.0).round() / 100.0),
+                    r.estimate,
+                    r.kinetic_over_internal
+                );
+            }
+        }
+        "cal" => {
+            let t = std::time::Instant::now();
+            let f = calibrate::fit(
+                &laws::reference(),
+                &calibrate::Target { force: 73300.0, deflection: 0.6, panel: 3.0, punch: 1.0 },
+                2,
+                &|s| {
+                    if !s.is_empty() {
+                        eprintln!("{s}");
+                    }
+                    Flow::Continue
+                },
+            )
+            .unwrap();
+            println!(
+                "{} {} {:?} anchored {:?} {:?} in {:.1} s",
+                f.stress,
+                f.strain,
+                f.residual,
+                f.anchored.force,
+                f.anchored.deflection,
+                t.elapsed().as_secs_f64()
+            );
+            println!("{:?}", f.wire);
+        }
+        _ => {
+            let q: f64 = a[2].parse().unwrap();
+            let s: f64 = a[3].parse().unwrap();
+            let wire = calibrate::scale(&laws::reference(), q, s);
+            let plan = ensemble::Plan { threads: 2, ..Default::default() };
+            let rows = published::compare(
+                &wire,
+                &Controls { after_break: 0.0, ..Controls::default() },
+                &plan,
+                &|s| {
+                    if !s.is_empty() {
+                        eprintln!("{s}");
+                    }
+                    Flow::Continue
+                },
+            )
+            .unwrap();
+            for r in rows {
+                println!(
+                    "{:<32} {:<12} paper {:8.3} ours {:8.3} se {:.3} band {:.3}..{:.3} diff {:+.1} {} n{} sl{}",
+                    r.name,
+                    r.quantity,
+                    r.paper,
+                    r.ours,
+                    r.standard_error,
+                    r.band[0],
+                    r.band[1],
+                    r.difference_pct,
+                    r.standing,
+                    r.runs,
+                    r.slipped
+                );
+            }
+        }
     }
-    if which == "D" {
-        layout = Layout { spacing: 2.5, punch: 0.2, plate: 0.32, ex: 0.0, ey: 0.0 };
-    }
-    let spec = SceneSpec { layout, test, wire, phase: PLAIN_PHASE, seed: 1 };
-    let fidelity = match a[2].as_str() {
-        "q" => Fidelity::Quick,
-        "s" => Fidelity::Standard,
-        "f" => Fidelity::Fine,
-        _ => Fidelity::Reference,
-    };
-    let speed = a.get(3).and_then(|x| x.parse().ok());
-    let c = Controls { fidelity, speed, after_break: 0.0, ..Controls::default() };
-    let mut best = 1e9f64;
-    let mut o = None;
-    for _ in 0..a.get(4).and_then(|x| x.parse().ok()).unwrap_or(1) {
-        let t = cpu();
-        o = Some(check(&spec, &c, &mut |_| Flow::Continue).unwrap());
-        best = best.min(cpu() - t);
-    }
-    let (o, t) = (o.unwrap(), best);
-    println!(
-        "# {} {}",
-        o.first_break.map_or(0.0, |p| p.deflection),
-        o.first_break.map_or(0.0, |p| p.force)
-    );
-    for k in 0..o.punch.len() {
-        println!("{} {} {}", o.curve.deflection[k], o.punch[k], o.support[k]);
-    }
-    eprintln!(
-        "{which} {} {:?} {:?} k75 {:.1} E {:.0} q {:?} steps {} t {:.1} ms  us/step {:.2}",
-        a[2],
-        o.stop,
-        o.first_break,
-        o.k75 / 1e3,
-        o.energy,
-        o.quality,
-        o.cost.steps,
-        t * 1e3,
-        t * 1e6 / o.cost.steps as f64
-    );
 }
