@@ -2,10 +2,9 @@
 //! laboratory with its finer dome of 72 x 30 facets. The scene files stand beside the curves.
 
 use crate::{published, table};
-use meshcast::dem::inertia::StepFactors;
 use meshcast::dem::plain::{Damping, Inertia, Plain};
 use meshcast::dem::run::drive;
-use meshcast::dem::{Controls, Fidelity, Flow, Outcome, Scene, Test, check};
+use meshcast::dem::{Controls, Fidelity, Flow, Outcome, Scene, Stop, Test, check};
 use meshcast::mesh::laws;
 use serde_json::Value;
 
@@ -164,31 +163,63 @@ fn the_laboratory_scene_follows_the_published_run() {
     }
 }
 
-/// The plain solver as the published runs were: one mass of 3.9 g for every node, a step of 6.222 us
-/// (half the critical one), local damping of 0.5, 0.2 m/s; half a million steps a scene.
+/// Fails today, by a step that is too long, not by the law: on a flat net without slack all bonds have
+/// the elastic stiffness that sets the inertia, and the step factors 1.15 and 0.8 together are unstable
+/// there. Kinetic energy grows from 0.01 J to 57 J in 2,400 steps of single precision; with 1.1 and 0.8, or
+/// 1.15 and 0.7, it does not grow. The faster fidelities come through because they leave the flat state
+/// in fewer steps than that takes.
 ///
-/// `cargo test --release --test physics -- --ignored --nocapture plain_solver_at_the_published_speed`
+/// `cargo test --test physics -- --ignored --nocapture fine_fidelity`
 #[test]
-#[ignore = "minutes: half a million steps of the plain solver for each scene"]
-fn the_plain_solver_at_the_published_speed_follows_the_published_runs() {
-    let step = 6.221_773_894_580_2e-6;
+#[ignore = "fails: the fine fidelity diverges on nets without slack"]
+fn the_fine_fidelity_follows_the_published_runs() {
     for test in [Test::Anchored, Test::Laboratory] {
+        let controls =
+            Controls { fidelity: Fidelity::Fine, after_break: 0.0, ..Controls::default() };
         let spec = published(test, laws::yade());
-        let scene = Scene::new(&spec).unwrap();
-        let mass = Inertia::Uniform(spec.wire.net.node_mass / (step * step));
-        let mut plain = Plain::of_scene(&scene, mass, Damping::Local(0.5));
-        let controls = Controls { after_break: 0.0, ..Controls::default() };
-        let mut scheme = controls.scheme(&scene).unwrap();
-        scheme.factors = StepFactors { translation: 1.0, stretching: 0.8 };
-        scheme.travel = 0.2 * step;
-        scheme.full = true;
-        let ours = drive(&scene, &mut plain, &scheme, &controls, &mut |_| Flow::Continue);
+        let ours = check(&spec, &controls, &mut |_| Flow::Continue).unwrap();
+        assert_eq!(ours.stop, Stop::AfterBreak, "{test:?}: {:?}", ours.quality);
         let c = compare(test, &ours);
-        // The same bounds, for the same reasons.
+        // The bounds of the runs in full, for the same reasons.
         let force = if test == Test::Anchored { 0.015 } else { 0.025 };
         assert!(c.force.1.abs() < force && c.deflection.1.abs() < 0.015, "{test:?}: {c:?}");
         assert!(c.gap.0 < 0.015, "{test:?}: {c:?}");
     }
+}
+
+/// The plain solver as the published runs were: one mass of 3.9 g for every node, a step of 6.222 us
+/// (half the critical one), local damping of 0.5, 0.2 m/s; half a million steps a scene
+/// (run control slows the punch down towards the break).
+fn plain(test: Test) {
+    let step = 6.221_773_894_580_2e-6;
+    let spec = published(test, laws::yade());
+    let scene = Scene::new(&spec).unwrap();
+    let mass = Inertia::Uniform(spec.wire.net.node_mass / (step * step));
+    let mut plain = Plain::of_scene(&scene, mass, Damping::Local(0.5));
+    let controls = Controls { after_break: 0.0, ..Controls::default() };
+    let mut scheme = controls.scheme(&scene).unwrap();
+    scheme.travel = 0.2 * step;
+    scheme.full = true;
+    let ours = drive(&scene, &mut plain, &scheme, &controls, &mut |_| Flow::Continue);
+    let c = compare(test, &ours);
+    // The bounds of the fast runs, for the same reasons.
+    let force = if test == Test::Anchored { 0.015 } else { 0.025 };
+    assert!(c.force.1.abs() < force && c.deflection.1.abs() < 0.015, "{test:?}: {c:?}");
+    assert!(c.gap.0 < 0.015, "{test:?}: {c:?}");
+}
+
+/// `cargo test --release --test physics -- --ignored --nocapture plain_solver_follows`
+#[test]
+#[ignore = "minutes: half a million steps of the plain solver"]
+fn the_plain_solver_follows_the_published_anchored_run_at_its_own_speed() {
+    plain(Test::Anchored);
+}
+
+/// `cargo test --release --test physics -- --ignored --nocapture plain_solver_follows`
+#[test]
+#[ignore = "minutes: half a million steps of the plain solver"]
+fn the_plain_solver_follows_the_published_laboratory_run_at_its_own_speed() {
+    plain(Test::Laboratory);
 }
 
 /// `cargo test --release --test physics -- --ignored --nocapture a_quarter_of_the_speed`
