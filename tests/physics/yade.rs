@@ -165,7 +165,7 @@ fn the_laboratory_scene_follows_the_published_run() {
 
 /// Fails today, by a step that is too long, not by the law: on a flat net without slack all bonds have
 /// the elastic stiffness that sets the inertia, and the step factors 1.15 and 0.8 together are unstable
-/// there. Rounding of single precision grows from 1e-3 J to 60 J in 2,400 steps; with 1.1 and 0.8, or
+/// there. Kinetic energy grows from 0.01 J to 57 J in 2,400 steps of single precision; with 1.1 and 0.8, or
 /// 1.15 and 0.7, it does not grow. The faster fidelities come through because they leave the flat state
 /// in fewer steps than that takes.
 ///
