@@ -25,6 +25,29 @@ pub struct Layout {
 /// centred (Pol & Gabrieli 2021, appendix).
 pub const REFERENCE: Layout = Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0 };
 
+/// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BranchRule {
+    /// As published: the small-punch branch where D <= d, the large-punch branch elsewhere.
+    #[default]
+    Published,
+    /// The branch with the lower force, and the deflection of the same branch.
+    Conservative,
+}
+
+impl BranchRule {
+    /// The word for people and files: `published` or `conservative`.
+    pub fn word(self) -> &'static str {
+        match self {
+            BranchRule::Published => "published",
+            BranchRule::Conservative => "conservative",
+        }
+    }
+}
+
+/// Smallest size that is taken for a size and not for rounding, m; keeps every quotient finite.
+pub const SMALLEST_LENGTH: f64 = 1.0e-6;
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
 pub const LARGEST_LENGTH: f64 = 100.0;
 
@@ -37,42 +60,37 @@ impl Layout {
     /// Every field that is wrong, with its allowed range.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
-        let mut size =
-            |field: &str, symbol_and_words: &str, value: f64, limit: f64, limit_text: String| {
-                if !(value.is_finite() && value > 0.0 && value < limit) {
-                    let why = if !value.is_finite() {
-                        format!("{symbol_and_words} must be a finite number")
-                    } else if value <= 0.0 {
-                        format!("{symbol_and_words} must be above 0")
-                    } else {
-                        format!("{symbol_and_words} is too large")
-                    };
-                    problems.push(
-                        Problem::new(field, why)
-                            .value(length_value(value))
-                            .allowed(format!("above 0, below {limit_text}")),
-                    );
-                }
-            };
-        let sound = self.spacing.is_finite() && self.spacing > 0.0 && self.spacing < LARGEST_LENGTH;
-        let (limit, text) = if sound {
-            (self.spacing, format!("the spacing L = {} m", shortest(self.spacing)))
-        } else {
-            (LARGEST_LENGTH, format!("{} m", shortest(LARGEST_LENGTH)))
+        // Nothing is written for what is sound: sweeps ask this of millions of layouts.
+        let mut size = |field: &str, words: &str, value: f64, limit: f64, limit_words: &str| {
+            if !(value.is_finite() && value >= SMALLEST_LENGTH && value < limit) {
+                let why = if !value.is_finite() {
+                    format!("{words} must be a finite number")
+                } else if value <= 0.0 {
+                    format!("{words} must be above 0")
+                } else if value < SMALLEST_LENGTH {
+                    format!("{words} is too small")
+                } else {
+                    format!("{words} is too large")
+                };
+                problems.push(
+                    Problem::new(field, why)
+                        .value(length_value(value))
+                        .allowed(format!("above 0, below {limit_words}{} m", shortest(limit))),
+                );
+            }
         };
-        size("d", "plate side d", self.plate, limit, text.clone());
-        size(
-            "L",
-            "spacing L",
-            self.spacing,
-            LARGEST_LENGTH,
-            format!("{} m", shortest(LARGEST_LENGTH)),
-        );
-        size("D", "punch diameter D", self.punch, limit, text);
+        let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;
+        let (limit, limit_words) =
+            if sound { (self.spacing, "the spacing L = ") } else { (LARGEST_LENGTH, "") };
+        size("d", "plate side d", self.plate, limit, limit_words);
+        size("L", "spacing L", self.spacing, LARGEST_LENGTH, "");
+        size("D", "punch diameter D", self.punch, limit, limit_words);
         for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
+                let why =
+                    if value.is_finite() { "is too large" } else { "must be a finite length" };
                 problems.push(
-                    Problem::new(field, format!("offset {field} must be a finite length"))
+                    Problem::new(field, format!("offset {field} {why}"))
                         .value(length_value(value))
                         .allowed("within half the spacing, -L/2 to L/2")
                         .advice("larger offsets are the same as a neighbouring cell's"),
@@ -127,6 +145,8 @@ mod tests {
         assert!(said[1].starts_with("D = 3.0 m: punch diameter D is too large"));
         assert!(said[2].starts_with("ex = NaN: offset ex must be a finite length"));
         assert!(REFERENCE.check().is_ok());
+        let dust = Layout { spacing: 5e-324, ..REFERENCE }.check().unwrap_err();
+        assert!(dust.iter().any(|p| p.to_string().contains("spacing L is too small")));
     }
 
     #[test]

@@ -3,14 +3,31 @@
 //!
 //! The rooms, from the ground up; a room uses only those above it in this list:
 //!
-//! - [`units`], [`problem`]: quantities as people write them; a bad input as a value.
+//! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
+//!   value; whether two results have the same inputs.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
+//! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
+//! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
+//! - [`study`]: many forecasts or checks at once: ensembles, calibration, run time against error.
+//! - [`project`]: the file a user keeps: read, checked, changed and saved.
+//! - [`app`]: the state of the interactive program; no input or output.
+//! - [`ui`]: one panel a file, each a pure function of the state.
+//! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
+//! - [`cli`]: the command line, one subcommand a file.
 
+pub mod app;
+
+pub mod cli;
 pub mod curve;
 pub mod dem;
+pub mod fingerprint;
+pub mod forecast;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
+pub mod project;
 pub mod study;
+pub mod term;
+pub mod ui;
 pub mod units;

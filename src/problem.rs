@@ -55,6 +55,8 @@ impl Problem {
         self.field = match (parent.is_empty(), self.field.is_empty()) {
             (true, _) => self.field,
             (_, true) => parent.to_string(),
+            // The item of a list.
+            _ if self.field.starts_with('[') => format!("{parent}{}", self.field),
             _ => format!("{parent}.{}", self.field),
         };
         self

@@ -69,6 +69,11 @@ pub fn from_kn(kilonewton: f64) -> f64 {
     kilonewton * N_PER_KN
 }
 
+/// Joules to kilojoules.
+pub fn to_kj(joule: f64) -> f64 {
+    joule / 1000.0
+}
+
 /// Units accepted behind a number, each with the quantity it measures and its size in SI.
 /// Sizes below one are kept as their inverse so that `250 mm` is exactly `0.25`.
 const UNITS: &[(&str, Quantity, Scale)] = &[
@@ -150,7 +155,7 @@ pub fn parse(
             if unit.is_empty() { "" } else { " " }
         )));
     }
-    let value: f64 = number.parse().map_err(|_| QuantityError::NotANumber(number.to_string()))?;
+    let value: f64 = number.parse().map_err(|_| QuantityError::NotANumber(text.to_string()))?;
     if !value.is_finite() {
         return Err(QuantityError::NotFinite(number.to_string()));
     }
@@ -227,9 +232,15 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// (twelve significant digits), for files and for values a person entered: `0.1 + 0.2` is `0.3`.
 /// Whole numbers keep one decimal (`3.0`), as RON writes floating point numbers.
 pub fn shortest(value: f64) -> String {
-    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     // An integer below 2^53 prints without an exponent; `{:?}` writes "3.0" and "0.25".
-    format!("{:?}", if rounded == 0.0 { 0.0 } else { rounded })
+    format!("{:?}", without_noise(value))
+}
+
+/// The number rounded to twelve significant digits, which takes away the noise of conversion and
+/// leaves far more than the method is good for; never the negative zero.
+pub fn without_noise(value: f64) -> f64 {
+    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    if rounded == 0.0 { 0.0 } else { rounded }
 }
 
 /// A length as entered, in `unit`, shortest form without the unit's sign: `0.32` or `320`.

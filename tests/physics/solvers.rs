@@ -1,6 +1,6 @@
 //! The fast solver against the plain one, and each shortcut against its stated bound.
 
-use crate::{small_spec, spec};
+use crate::{small, spec};
 use meshcast::dem::fast::{Fast, FastOptions, Path};
 use meshcast::dem::inertia::StepFactors;
 use meshcast::dem::plain::{Damping, Inertia, Plain};
@@ -32,7 +32,7 @@ fn kinked() -> WireData {
 fn in_double_precision_with_the_full_law_the_fast_solver_is_the_plain_one() {
     for test in [Test::Anchored, Test::Laboratory] {
         for wire in [laws::bench(), laws::reference(), laws::yade(), kinked()] {
-            let scene = Scene::new(&small_spec(test, wire)).unwrap();
+            let scene = Scene::new(&small(test, wire)).unwrap();
             let mut plain =
                 Plain::of_scene(&scene, Inertia::Pairs(FACTORS), Damping::Viscous(0.002));
             let mut fast = Fast::<f64>::new(&scene, options(true));
@@ -59,7 +59,7 @@ fn in_double_precision_with_the_full_law_the_fast_solver_is_the_plain_one() {
 
 #[test]
 fn both_solvers_break_the_same_bond_first() {
-    let scene = Scene::new(&small_spec(Test::Anchored, laws::reference())).unwrap();
+    let scene = Scene::new(&small(Test::Anchored, laws::reference())).unwrap();
     let mut plain = Plain::of_scene(&scene, Inertia::Pairs(FACTORS), Damping::Viscous(0.002));
     let mut fast = Fast::<f64>::new(&scene, options(true));
     let (mut a, mut b) = (Vec::new(), Vec::new());

@@ -1,6 +1,6 @@
 //! The ways in which a run ends, and what it tells then.
 
-use crate::{small_spec, spec};
+use crate::{small, spec};
 use meshcast::dem::{Controls, Fidelity, Flow, Stop, Test, check};
 use meshcast::mesh::laws;
 
@@ -47,7 +47,7 @@ fn a_punch_as_small_as_the_opening_slips_through() {
 
 #[test]
 fn limit_and_cancelling_end_a_run_with_what_it_has() {
-    let spec = small_spec(Test::Laboratory, laws::reference());
+    let spec = small(Test::Laboratory, laws::reference());
     let controls = Controls { limit: Some(0.1), ..quick() };
     let outcome = check(&spec, &controls, &mut |_| Flow::Continue).unwrap();
     assert_eq!((outcome.stop, outcome.first_break), (Stop::DisplacementLimit, None));
@@ -63,7 +63,7 @@ fn limit_and_cancelling_end_a_run_with_what_it_has() {
 
 #[test]
 fn senseless_controls_are_refused_with_their_field() {
-    let spec = small_spec(Test::Anchored, laws::bench());
+    let spec = small(Test::Anchored, laws::bench());
     for (controls, field) in [
         (Controls { step_factor: 1.5, ..quick() }, "step_factor"),
         (Controls { step_factor: f64::NAN, ..quick() }, "step_factor"),

@@ -96,7 +96,7 @@ unsafe fn pulls<L: Lanes>(
         let mut slope = [zero; 3];
         for b in 0..3 {
             let (per_length, ramp, unloading) = match own {
-                None => (kinds[b].per_length, kinds[b].ramp, kinds[b].unloading),
+                None => (kinds[b].per_length, kinds[b].ramp, kinds[b].unloading.max(kinds[b].ramp)),
                 Some(own) => {
                     let ramp = L::load(own[b][1]);
                     (L::load(own[b][0]), ramp, kinds[b].unloading.max(ramp))

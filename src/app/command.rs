@@ -1,0 +1,82 @@
+//! The `:` line. Its forms stand in [`super::keymap::COMMANDS`], from which the help is made.
+
+use super::look::{ColorMode, Glyphs};
+use super::message::Effect;
+use super::{App, Mode};
+use crate::project::schema::LONGEST_NAME;
+use crate::units::LengthUnit;
+use std::path::PathBuf;
+
+impl App {
+    /// Carries out a command.
+    ///
+    /// # Errors
+    /// Why it cannot be done; the text stays in the line then.
+    pub(super) fn command(&mut self, text: &str) -> Result<Vec<Effect>, String> {
+        let text = text.trim();
+        let (word, rest) = match text.split_once(char::is_whitespace) {
+            Some((word, rest)) => (word, rest.trim()),
+            None => (text, ""),
+        };
+        // A command that takes nothing must be given nothing: a slip is no reason to act.
+        let plain = |allowed: &[&str]| allowed.contains(&word) && !rest.is_empty();
+        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h"]) {
+            return Err(format!("{word} takes nothing after it"));
+        }
+        match word {
+            "" => {}
+            "w" | "write" => return Ok(vec![self.save_effect(path_of(rest), false)]),
+            "w!" => return Ok(vec![self.save_effect(path_of(rest), true)]),
+            "wq" | "x" => return Ok(self.save_and_quit()),
+            "q" | "quit" => return Ok(self.ask_to_quit()),
+            "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "undo" => self.undo(),
+            "redo" => self.redo(),
+            "help" | "h" => self.mode = Mode::Help { scroll: 0 },
+            "name" | "site" => self.name_project(word, rest)?,
+            "mesh" => self.set_mesh(rest)?,
+            "units" => match rest {
+                "m" => self.set_units(LengthUnit::Metre),
+                "mm" => self.set_units(LengthUnit::Millimetre),
+                _ => return Err("units m or units mm".into()),
+            },
+            "glyphs" => match rest {
+                "braille" => self.look.glyphs = Glyphs::Braille,
+                "block" => self.look.glyphs = Glyphs::Block,
+                "ascii" => self.look.glyphs = Glyphs::Ascii,
+                _ => return Err("glyphs braille, block or ascii".into()),
+            },
+            "color" | "colour" => match rest {
+                "16" => self.look.color = ColorMode::Basic16,
+                "none" => self.look.color = ColorMode::None,
+                _ => return Err("color 16 or color none".into()),
+            },
+            _ => match word.parse::<usize>() {
+                Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {
+                    self.selected = n - 1;
+                }
+                Ok(_) => return Err(format!("layouts are 1 to {}", self.project.layouts.len())),
+                Err(_) => return Err(format!("no command {word:?}; ? lists them")),
+            },
+        }
+        Ok(Vec::new())
+    }
+
+    fn name_project(&mut self, word: &str, text: &str) -> Result<(), String> {
+        if text.is_empty() && word == "name" {
+            return Err("a project needs a name".into());
+        }
+        if text.chars().count() > LONGEST_NAME {
+            return Err(format!("at most {LONGEST_NAME} characters"));
+        }
+        self.edit(format!("{word} of the project"), |project| match word {
+            "name" => project.name = text.to_string(),
+            _ => project.site = text.to_string(),
+        });
+        Ok(())
+    }
+}
+
+fn path_of(text: &str) -> Option<PathBuf> {
+    (!text.is_empty()).then(|| PathBuf::from(text))
+}

@@ -1,0 +1,80 @@
+//! What reaches the program's state, and what the state asks to be done. The state itself does no
+//! input or output: the room that runs the loop carries out the effects and answers with messages.
+
+use super::key::Key;
+use crate::project::Project;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Something that happened.
+#[derive(Debug, Clone)]
+pub enum Message {
+    /// A key was pressed.
+    Key(Key),
+    /// Text was pasted (bracketed paste), line ends included.
+    Paste(String),
+    /// The terminal has this size now.
+    Resize {
+        /// Columns.
+        width: u16,
+        /// Rows.
+        height: u16,
+    },
+    /// A save that was asked for has ended.
+    Saved(Result<Saved, SaveFailure>),
+    /// Something went wrong behind the screen, in words; the program goes on.
+    Trouble(String),
+    /// The terminal hung up or the program is told to end: keep what is unsaved and go.
+    HangUp,
+    /// The program runs again after it was suspended; the whole screen must be drawn.
+    Resumed,
+}
+
+/// A save that worked.
+#[derive(Debug, Clone)]
+pub struct Saved {
+    /// The project as it was written.
+    pub project: Arc<Project>,
+    /// The file it went to.
+    pub path: PathBuf,
+    /// What the user should know of it, such as comments that could not be kept.
+    pub note: Option<String>,
+}
+
+/// A save that did not.
+#[derive(Debug, Clone)]
+pub struct SaveFailure {
+    /// What went wrong and what to do, for people.
+    pub message: String,
+    /// Whether saving again with `overwrite` would help: the file changed on disk since it was opened.
+    pub overwrite_helps: bool,
+    /// The other file that was asked for, or `None` for the project's own.
+    pub path: Option<PathBuf>,
+}
+
+/// Something to be done outside the state.
+#[derive(Debug, Clone)]
+pub enum Effect {
+    /// Write the project, to its own file or to another one, and answer with [`Message::Saved`].
+    Save {
+        /// What to write.
+        project: Arc<Project>,
+        /// Where to, or the file it was opened from. A relative path is taken from the working directory.
+        path: Option<PathBuf>,
+        /// Whether to replace a file that changed on disk, or that exists when `path` is given.
+        overwrite: bool,
+    },
+    /// Keep unsaved edits in the recovery file, quickly and without questions.
+    Recover {
+        /// What to keep.
+        project: Arc<Project>,
+    },
+    /// Drop the recovery file: everything is saved or the user let the edits go.
+    ForgetRecovery,
+    /// Give the terminal back and stop until continued.
+    Suspend,
+    /// Draw the whole screen anew.
+    Redraw,
+    /// End the program.
+    Quit,
+}

@@ -1,0 +1,293 @@
+//! What each message does to the state.
+
+use super::entry::{Entry, Outcome, Target};
+use super::field::{Field, StepSize};
+use super::key::{Code, Key};
+use super::keymap::{self, Action};
+use super::message::{Effect, Message, SaveFailure, Saved};
+use super::{App, Mode};
+use crate::units::Quantity;
+use std::path::PathBuf;
+
+impl App {
+    /// Takes a message; returns what is to be done.
+    pub fn update(&mut self, message: Message) -> Vec<Effect> {
+        self.dirty = true;
+        match message {
+            Message::Key(key) => self.key(key),
+            Message::Paste(text) => {
+                if let Mode::Entry(entry) = &mut self.mode {
+                    entry.paste(&text);
+                }
+                Vec::new()
+            }
+            Message::Resize { width, height } => {
+                self.size = (width, height);
+                Vec::new()
+            }
+            Message::Saved(result) => self.saved(result),
+            Message::HangUp => {
+                let mut effects = Vec::new();
+                if let Some(project) = self.unsaved() {
+                    effects.push(Effect::Recover { project });
+                }
+                effects.push(Effect::Quit);
+                effects
+            }
+            Message::Resumed => vec![Effect::Redraw],
+            Message::Trouble(text) => {
+                self.complain(text);
+                Vec::new()
+            }
+        }
+    }
+
+    fn key(&mut self, key: Key) -> Vec<Effect> {
+        self.status = None;
+        if let Mode::Entry(entry) = &mut self.mode {
+            return match entry.key(key) {
+                Outcome::Typing => Vec::new(),
+                Outcome::Drop => {
+                    self.mode = Mode::Main;
+                    Vec::new()
+                }
+                Outcome::Take => self.take_entry(),
+            };
+        }
+        let Some(context) = self.context() else { return Vec::new() };
+        match keymap::action(context, key) {
+            Some(action) => self.act(action),
+            None => {
+                if matches!(self.mode, Mode::Main) {
+                    self.start_typing(key);
+                }
+                Vec::new()
+            }
+        }
+    }
+
+    /// A digit, a point or a minus on the main screen starts a value.
+    fn start_typing(&mut self, key: Key) {
+        let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key else { return };
+        if c.is_ascii_digit() || c == '.' || (c == '-' && self.field.quantity() == Quantity::Length)
+        {
+            self.mode = Mode::Entry(Entry::new(Target::Value(self.field), c));
+        } else {
+            self.inform(format!("{key} does nothing here; ? shows the keys"));
+        }
+    }
+
+    fn act(&mut self, action: Action) -> Vec<Effect> {
+        match action {
+            Action::FieldUp => self.select_field(false),
+            Action::FieldDown => self.select_field(true),
+            Action::StepUp => self.step_field(StepSize::Fine, true),
+            Action::StepDown => self.step_field(StepSize::Fine, false),
+            Action::CoarseUp => self.step_field(StepSize::Coarse, true),
+            Action::CoarseDown => self.step_field(StepSize::Coarse, false),
+            Action::Type => {
+                let text = self.field.get(self.layout());
+                let text = text.map_or(String::new(), |v| self.field.entry_text(v, self.units()));
+                self.mode = Mode::Entry(Entry::new(Target::Value(self.field), text));
+            }
+            Action::Clear if self.field.clearable() => self.set_field(None),
+            Action::Clear => {
+                self.inform(format!("{} needs a value; type one", self.field.symbol()));
+            }
+            Action::NextLayout => self.select_layout(true),
+            Action::PreviousLayout => self.select_layout(false),
+            Action::Add => self.add_layout(),
+            Action::Duplicate => self.duplicate_layout(),
+            Action::Rename => {
+                self.mode = Mode::Entry(Entry::new(Target::Name, self.layout().name.clone()));
+            }
+            Action::Note => {
+                self.mode = Mode::Entry(Entry::new(Target::Note, self.layout().note.clone()));
+            }
+            Action::Delete => self.delete_layout(),
+            Action::MoveUp => self.move_layout(false),
+            Action::MoveDown => self.move_layout(true),
+            Action::Overlay => self.toggle_overlay(),
+            Action::PickMesh => {
+                let index = self.meshes().iter().position(|c| c.mesh.id == self.layout().mesh);
+                self.mode = Mode::MeshPicker { index: index.unwrap_or(0) };
+            }
+            Action::Branch => self.toggle_branch(),
+            Action::Units => self.set_units(self.units().other()),
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::Save => return vec![self.save_effect(None, false)],
+            Action::Command => self.mode = Mode::Entry(Entry::new(Target::Command, "")),
+            Action::Details => self.mode = Mode::Details { scroll: 0 },
+            Action::Help => self.mode = Mode::Help { scroll: 0 },
+            Action::Suspend => return vec![Effect::Suspend],
+            Action::Redraw => return vec![Effect::Redraw],
+            Action::Quit => return self.ask_to_quit(),
+            Action::Up => self.scroll(-1),
+            Action::Down => self.scroll(1),
+            Action::PageUp => self.scroll(-self.page()),
+            Action::PageDown => self.scroll(self.page()),
+            Action::Take => self.take_mesh(),
+            // Going on without a decision would let new edits take the place of the kept ones.
+            Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
+                return vec![Effect::Quit];
+            }
+            Action::Close => self.mode = Mode::Main,
+            Action::SaveAndQuit => return self.save_and_quit(),
+            Action::Discard => return self.discard(),
+            Action::Overwrite => return self.overwrite(),
+            Action::Restore => self.restore(),
+        }
+        Vec::new()
+    }
+
+    fn select_field(&mut self, down: bool) {
+        let at = Field::ALL.iter().position(|f| *f == self.field).unwrap_or(0);
+        let last = Field::ALL.len() - 1;
+        self.field = Field::ALL[if down { (at + 1).min(last) } else { at.saturating_sub(1) }];
+    }
+
+    fn select_layout(&mut self, next: bool) {
+        let count = self.project.layouts.len();
+        self.selected = (self.selected + if next { 1 } else { count - 1 }) % count;
+    }
+
+    /// Lines of a page of the pager.
+    fn page(&self) -> isize {
+        isize::from(self.size.1 as i16).saturating_sub(4).max(1)
+    }
+
+    fn scroll(&mut self, lines: isize) {
+        let meshes = self.meshes().len();
+        let last = self.pager_lines().saturating_sub(self.page() as usize);
+        match &mut self.mode {
+            Mode::Help { scroll } | Mode::Details { scroll } => {
+                *scroll = scroll.saturating_add_signed(lines).min(last);
+            }
+            Mode::MeshPicker { index } => {
+                *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;
+            }
+            _ => {}
+        }
+    }
+
+    fn take_mesh(&mut self) {
+        if let Mode::MeshPicker { index } = self.mode
+            && let Some(choice) = self.meshes().get(index)
+        {
+            self.mode = Mode::Main;
+            // The choice came from the list, so the mesh is known.
+            if let Err(refusal) = self.set_mesh(&choice.mesh.id) {
+                self.complain(refusal);
+            }
+        }
+    }
+
+    /// Enter in a line of text: a text that is refused stays, with the reason.
+    fn take_entry(&mut self) -> Vec<Effect> {
+        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, Mode::Main) else {
+            return Vec::new();
+        };
+        let text = entry.text().to_string();
+        let result = match entry.target {
+            Target::Value(field) => field.read(&text, self.layout(), self.units()).map(|value| {
+                self.set_field(value);
+                Vec::new()
+            }),
+            Target::Name => self.rename_layout(&text).map(|()| Vec::new()),
+            Target::Note => {
+                self.set_note(&text);
+                Ok(Vec::new())
+            }
+            Target::Command => self.command(&text),
+        };
+        result.unwrap_or_else(|refusal| {
+            self.mode = Mode::Entry(Entry { error: Some(refusal), ..entry });
+            Vec::new()
+        })
+    }
+
+    pub(super) fn ask_to_quit(&mut self) -> Vec<Effect> {
+        if self.edited() {
+            self.mode = Mode::ConfirmQuit;
+            Vec::new()
+        } else {
+            vec![Effect::Quit]
+        }
+    }
+
+    pub(super) fn save_effect(&mut self, path: Option<PathBuf>, overwrite: bool) -> Effect {
+        Effect::Save { project: self.project.clone(), path, overwrite }
+    }
+
+    pub(super) fn save_and_quit(&mut self) -> Vec<Effect> {
+        self.mode = Mode::Main;
+        if !self.edited() {
+            return vec![Effect::Quit];
+        }
+        self.quit_after_save = true;
+        vec![self.save_effect(None, false)]
+    }
+
+    fn discard(&mut self) -> Vec<Effect> {
+        match std::mem::replace(&mut self.mode, Mode::Main) {
+            Mode::ConfirmQuit => vec![Effect::ForgetRecovery, Effect::Quit],
+            Mode::ConfirmRecovery { .. } => {
+                self.inform("the kept edits were dropped");
+                vec![Effect::ForgetRecovery]
+            }
+            other => {
+                self.mode = other;
+                Vec::new()
+            }
+        }
+    }
+
+    fn overwrite(&mut self) -> Vec<Effect> {
+        match std::mem::replace(&mut self.mode, Mode::Main) {
+            Mode::ConfirmOverwrite { path, quit } => {
+                self.quit_after_save = quit;
+                vec![self.save_effect(path, true)]
+            }
+            other => {
+                self.mode = other;
+                Vec::new()
+            }
+        }
+    }
+
+    fn restore(&mut self) {
+        match std::mem::replace(&mut self.mode, Mode::Main) {
+            Mode::ConfirmRecovery { kept } => {
+                self.edit("kept edits taken back", |project| *project = (*kept).clone());
+                self.inform("the kept edits are back, not saved yet; u undoes this");
+            }
+            other => self.mode = other,
+        }
+    }
+
+    /// A save has ended.
+    fn saved(&mut self, result: Result<Saved, SaveFailure>) -> Vec<Effect> {
+        let quit = std::mem::take(&mut self.quit_after_save);
+        match result {
+            Ok(saved) => {
+                self.saved = saved.project;
+                let name = saved.path.display().to_string();
+                self.inform(match saved.note {
+                    Some(note) => format!("saved {name}; {note}"),
+                    None => format!("saved {name}"),
+                });
+                self.path = Some(saved.path);
+                // Edits made while the save ran are not in the file.
+                if quit && !self.edited() { vec![Effect::Quit] } else { Vec::new() }
+            }
+            Err(failure) => {
+                if failure.overwrite_helps {
+                    self.mode = Mode::ConfirmOverwrite { path: failure.path, quit };
+                }
+                self.complain(failure.message);
+                Vec::new()
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! A forecast as a text for people: at most 24 lines of 80 columns a layout.
+
+use super::{Answered, BASIS, VERSION};
+use crate::cli::output::wrapped;
+use crate::forecast::Field;
+use crate::forecast::design::{Answer, Question};
+use crate::forecast::field::Branch;
+use crate::forecast::warning::Warning;
+use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
+use crate::units::{to_kj, to_kn};
+
+/// Widest line, columns.
+const WIDTH: usize = 80;
+/// Most lines a layout.
+const HEIGHT: usize = 24;
+/// Columns of the words in front.
+const MARGIN: usize = 14;
+
+/// The reports of all layouts, an empty line between them.
+pub fn report(answered: &[Answered], unit: LengthUnit) -> String {
+    if answered.is_empty() {
+        return "The project has no layouts.\n".to_string();
+    }
+    let all: Vec<String> = answered.iter().map(|a| one(a, unit).join("\n") + "\n").collect();
+    all.join("\n")
+}
+
+struct Page {
+    lines: Vec<String>,
+    unit: LengthUnit,
+}
+
+impl Page {
+    /// A line, or more if the text is long, with a word in front.
+    fn line(&mut self, head: &str, text: impl AsRef<str>) {
+        self.lines.extend(wrapped(&format!("{head:<MARGIN$}"), text.as_ref(), WIDTH));
+    }
+
+    /// A computed length.
+    fn length(&self, metres: f64) -> String {
+        length_text(metres, self.unit)
+    }
+
+    /// A length as entered.
+    fn entry(&self, metres: f64) -> String {
+        format!("{} {}", length_entry(metres, self.unit), self.unit.symbol())
+    }
+}
+
+fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
+    let mut page = Page { lines: Vec::new(), unit };
+    inputs(&mut page, a);
+    laboratory(&mut page, a);
+    match &a.forecast.field {
+        Some(field) => {
+            values(&mut page, a, field);
+            eccentricity(&mut page, a);
+            curve(&mut page, field);
+            page.line(
+                "each anchor",
+                format!(
+                    "carries {} at failure: the whole force of its cell",
+                    force_text(field.values.force)
+                ),
+            );
+            if let Some(answer) = &a.design {
+                design(&mut page, answer, &a.question);
+            }
+        }
+        None => page.line("field", "no value: outside the method"),
+    }
+    page.line("basis", BASIS);
+    warnings(&mut page, &a.forecast.warnings);
+    page.lines
+}
+
+fn inputs(page: &mut Page, a: &Answered) {
+    let made_by = format!("meshcast {VERSION}, inputs {}", a.fingerprint);
+    match &a.case.name {
+        Some(name) => page.line("layout", format!("{name}   [{made_by}]")),
+        None => page.line("forecast", format!("[{made_by}]")),
+    }
+    let l = &a.forecast.layout;
+    let text = format!(
+        "d {}, L {}, D {}, ex {}, ey {}",
+        page.entry(l.plate),
+        page.entry(l.spacing),
+        page.entry(l.punch),
+        page.entry(l.ex),
+        page.entry(l.ey)
+    );
+    page.line("inputs", text);
+    let mesh = &a.case.mesh;
+    page.line("mesh", format!("{} ({})", mesh.id, mesh.title()));
+}
+
+fn laboratory(page: &mut Page, a: &Answered) {
+    let (f, record) = (&a.forecast, &a.case.mesh.laboratory);
+    let text = format!(
+        "F_l* {}, delta_l* {}, {}; panel {}, punch {}",
+        force_text(f.laboratory.force),
+        page.length(f.laboratory.deflection),
+        record.statistic.word(),
+        page.entry(record.panel),
+        page.entry(record.punch)
+    );
+    page.line("laboratory", text);
+    let text = format!(
+        "alpha_F {:.3}, alpha_delta {:.3}{}; F_a* {}, delta_a* {}",
+        f.ratios.force,
+        f.ratios.deflection,
+        if f.ratios.default { "" } else { " (the mesh's own)" },
+        force_text(f.reference.force),
+        page.length(f.reference.deflection)
+    );
+    page.line("ratios", text);
+}
+
+fn words(branch: Branch) -> &'static str {
+    match branch {
+        Branch::SmallPunch => "small punch",
+        Branch::LargePunch => "large punch",
+    }
+}
+
+fn values(page: &mut Page, a: &Answered, field: &Field) {
+    let mark = if a.forecast.extrapolated() { " (extrapolated)" } else { "" };
+    let lab = a.forecast.laboratory;
+    let text = format!(
+        "F_a {}, delta_a {}{mark}; {:.3} and {:.3} of the laboratory's",
+        force_text(field.values.force),
+        page.length(field.values.deflection),
+        field.values.force / lab.force,
+        field.values.deflection / lab.deflection
+    );
+    page.line("FIELD", text);
+    let mut text = format!(
+        "{} rule, {} by size, relation of the {}",
+        a.forecast.rule.word(),
+        words(field.regime),
+        words(field.branch)
+    );
+    if let Some(other) = field.other_branch {
+        text.push_str(&format!(
+            "; the other gives {}, {}",
+            force_text(other.force),
+            page.length(other.deflection)
+        ));
+    }
+    page.line("branch", text);
+}
+
+fn eccentricity(page: &mut Page, a: &Answered) {
+    let e = &a.forecast.eccentricity;
+    let text = format!(
+        "{:.3} +- {:.3} on F, {:.3} +- {:.3} on delta",
+        e.force, e.force_sd, e.deflection, e.deflection_sd
+    );
+    let centred = (a.forecast.layout.folded()) == (0.0, 0.0);
+    page.line(
+        "eccentricity",
+        if centred { "none, the block is centred".to_string() } else { text },
+    );
+}
+
+fn curve(page: &mut Page, field: &Field) {
+    let end = field.values.deflection;
+    let stiffness = |newton_per_metre: f64| significant(to_kn(newton_per_metre), 3);
+    let text = format!(
+        "at failure: tangent {}, secant {} kN/m; {} kJ absorbed",
+        stiffness(field.tangent_at(end)),
+        stiffness(field.secant_at(end)),
+        significant(to_kj(field.energy_to(end)), 3)
+    );
+    page.line("stiffness", text);
+}
+
+fn design(page: &mut Page, answer: &Answer, question: &Question) {
+    let (on_load, on_resistance) =
+        (shortest(question.gamma_load), shortest(question.gamma_resistance));
+    page.line(
+        "design",
+        format!(
+            "resistance {} with gamma_resistance {on_resistance}; gamma_load {on_load}",
+            force_text(answer.resistance)
+        ),
+    );
+    if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
+        let deflection = match at.deflection {
+            Some(reached) => format!("at {}", page.length(reached)),
+            None => "beyond failure".to_string(),
+        };
+        let allowable = match at.within_allowable {
+            Some(true) => ", within the allowable",
+            Some(false) => ", over the allowable",
+            None => "",
+        };
+        let enough = if at.utilisation > 1.0 { "NOT ENOUGH" } else { "enough" };
+        page.line(
+            "  at force",
+            format!(
+                "{} factored to {}: use {} % ({enough}), {deflection}{allowable}",
+                force_text(force),
+                force_text(at.load),
+                significant(at.utilisation * 100.0, 3)
+            ),
+        );
+    }
+    if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
+        let fails = if at.beyond_failure { " (fails before)" } else { "" };
+        page.line(
+            "  at delta",
+            format!(
+                "{}{fails}: {} mobilised, {} factored, {} kJ",
+                page.entry(deflection),
+                force_text(at.force),
+                force_text(at.design_force),
+                significant(to_kj(at.energy), 3)
+            ),
+        );
+    }
+}
+
+/// The warnings, the heaviest first, in whole sentences, in few words where those do not fit, and as
+/// many as fit.
+fn warnings(page: &mut Page, warnings: &[Warning]) {
+    let mut warnings: Vec<&Warning> = warnings.iter().collect();
+    warnings.sort_by_key(|w| std::cmp::Reverse(w.weight()));
+    let room = HEIGHT.saturating_sub(page.lines.len());
+    if warnings.is_empty() {
+        return page.line("warnings", "none");
+    }
+    let lines = |text: fn(&Warning) -> String| -> Vec<Vec<String>> {
+        warnings
+            .iter()
+            .map(|w| wrapped(&format!("{:<MARGIN$}", w.weight().word()), &text(w), WIDTH))
+            .collect()
+    };
+    let whole = lines(Warning::message).concat();
+    if whole.len() <= room {
+        page.lines.extend(whole);
+        return;
+    }
+    let mut short = lines(Warning::short).concat();
+    if short.len() > room {
+        short.truncate(room.saturating_sub(1));
+        let left = warnings.len() - short.len();
+        short.push(format!("{:<MARGIN$}{left} more, see --format json", "and"));
+    }
+    page.lines.extend(short);
+}

@@ -1,0 +1,52 @@
+//! `meshcast mesh list`.
+
+use super::show::MeshJson;
+use crate::cli::output::{Format, Outcome, json, result};
+use crate::mesh::catalogue;
+use crate::units::{LengthUnit, force_text, length_text};
+use std::fmt::Write;
+
+/// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
+pub fn run(format: Format) -> Outcome {
+    let meshes = catalogue::all();
+    if format == Format::Json {
+        let all: Vec<MeshJson> = meshes.iter().map(|m| MeshJson::of(m)).collect();
+        return result(json(&all)? + "\n");
+    }
+    let widest = |text: fn(&crate::mesh::MeshType) -> &str, least: usize| {
+        meshes.iter().map(|m| text(m).chars().count()).max().unwrap_or(0).max(least)
+    };
+    let (id, name) = (widest(|m| &m.id, 2), widest(|m| m.title(), 4));
+    let mut out = format!(
+        "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<14}  remarks\n",
+        "id", "name", "F_l", "delta_l", "statistic"
+    );
+    for mesh in meshes {
+        let lab = &mesh.laboratory;
+        let mut remarks = Vec::new();
+        if mesh.reference {
+            remarks.push("reference of the method");
+        }
+        if mesh.example {
+            remarks.push("example, no product");
+        }
+        if mesh.ratios.is_some() {
+            remarks.push("own ratios");
+        }
+        if mesh.wire.is_none() {
+            remarks.push("forecast only");
+        }
+        let line = format!(
+            "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<14}  {}",
+            mesh.id,
+            mesh.title(),
+            force_text(lab.force),
+            length_text(lab.deflection, LengthUnit::Metre),
+            lab.statistic.word(),
+            remarks.join(", ")
+        );
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{}", line.trim_end());
+    }
+    result(out)
+}

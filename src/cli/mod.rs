@@ -1,0 +1,135 @@
+//! The command line: what it takes, one file a subcommand, and exit codes.
+//!
+//! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
+//! - [`forecast`], [`mesh`], [`new`], [`validate`]: the subcommands; [`interactive`]: none of them.
+//! - [`case`]: one layout to forecast, from a project file, flags and defaults.
+//! - [`output`]: results to standard output, errors to standard error, exit codes.
+//!
+//! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
+
+pub mod case;
+pub mod flags;
+pub mod forecast;
+pub mod interactive;
+pub mod mesh;
+mod nearest;
+pub mod new;
+pub mod output;
+pub mod quantity;
+pub mod validate;
+
+pub use flags::UiFlags;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use output::{Fault, Outcome};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Version and commit: `0.1.0 (abcdef123456)`.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("MESHCAST_COMMIT"), ")");
+
+const USAGE: &str = "meshcast [OPTIONS] [PROJECT.ron]\n       meshcast [OPTIONS] <COMMAND>";
+
+const AFTER_HELP: &str = "\
+Examples:
+  meshcast road-cut.ron                          open a project in the terminal
+  meshcast forecast -d 250mm -L 2.5 -D 0.6       one layout, as a text
+  meshcast forecast road-cut.ron --format json   every layout of a project
+  meshcast forecast road-cut.ron --layout 'bench 2' --format csv > curve.csv
+
+Bare numbers are metres and kilonewtons. A project that is named like a command is
+opened by its path: meshcast ./mesh";
+
+/// Forecasts the force-deflection response of anchored wire mesh panels on rock slopes.
+///
+/// Without a command, opens a project in the terminal: the one named, or the last one.
+#[derive(Debug, Parser)]
+#[command(name = "meshcast", version = VERSION, after_help = AFTER_HELP, override_usage = USAGE, max_term_width = 100)]
+struct Root {
+    /// Project file to open in the terminal.
+    #[arg(value_name = "PROJECT.ron")]
+    project: Option<PathBuf>,
+    #[command(flatten)]
+    ui: UiFlags,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    New(new::NewArgs),
+    Forecast(Box<forecast::ForecastArgs>),
+    Mesh(mesh::MeshArgs),
+    Validate(validate::ValidateArgs),
+}
+
+/// Reads the command line (the program's name first), does what it says and returns the exit code.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let root = match Root::try_parse_from(arguments) {
+        Ok(root) => root,
+        Err(said) => {
+            // Help and version go to standard output, all else to standard error; where nobody
+            // reads there is nothing to do about it.
+            let _ = said.print();
+            return ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(output::FAILURE));
+        }
+    };
+    match root.command {
+        None => open(root.project, root.ui),
+        Some(command) => output::finish(headless(command, root.project.as_deref(), &root.ui)),
+    }
+}
+
+fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
+    if let Some(path) = project {
+        return Err(Fault::input(format!(
+            "a project ({:?}) stands before the command; it belongs behind it: meshcast forecast PROJECT.ron",
+            path.display().to_string()
+        )));
+    }
+    match command {
+        Command::New(args) => new::run(&args),
+        Command::Forecast(args) => forecast::run(&args, ui),
+        Command::Mesh(args) => mesh::run(&args),
+        Command::Validate(args) => validate::run(&args),
+    }
+}
+
+fn open(project: Option<PathBuf>, ui: UiFlags) -> ExitCode {
+    if let Some(path) = &project
+        && let Some(meant) = mistyped_command(path)
+    {
+        return output::finish(Err(Fault::input(format!(
+            "there is no project file {:?}; did you mean the command: meshcast {meant}",
+            path.display().to_string()
+        ))));
+    }
+    interactive::interactive(project, ui)
+}
+
+/// The command that a missing file without an ending looks like.
+fn mistyped_command(path: &Path) -> Option<String> {
+    let text = path.to_str()?;
+    if path.exists() || text.contains(['.', '/', '\\']) {
+        return None;
+    }
+    let root = Root::command();
+    let names: Vec<&str> = root.get_subcommands().map(|c| c.get_name()).collect();
+    nearest::nearest(text, &names).map(str::to_string)
+}
+
+/// The help that stands in for the interactive program where there is no terminal.
+fn headless_help() -> String {
+    Root::command().render_help().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definition_of_the_command_line_is_sound() {
+        Root::command().debug_assert();
+    }
+}

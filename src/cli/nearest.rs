@@ -1,0 +1,57 @@
+//! The known word nearest to a mistyped one.
+
+/// The known word that differs least from `typed`, if it is near enough to be what was meant: at most
+/// one change for every three letters, capitals aside, or the only one that begins so.
+pub fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
+    let typed: Vec<char> = typed.trim().to_lowercase().chars().collect();
+    known
+        .iter()
+        .map(|word| {
+            let letters: Vec<char> = word.to_lowercase().chars().collect();
+            (changes(&typed, &letters), letters.len().max(typed.len()), *word)
+        })
+        .filter(|(changes, length, _)| changes * 3 <= *length)
+        .min_by_key(|(changes, ..)| *changes)
+        .map(|(.., word)| word)
+        .or_else(|| only_beginning(&typed, known))
+}
+
+/// The only known word that begins with what was typed, three letters at least.
+fn only_beginning<'a>(typed: &[char], known: &[&'a str]) -> Option<&'a str> {
+    let start: String = typed.iter().collect();
+    let mut longer = known.iter().filter(|word| word.to_lowercase().starts_with(&start));
+    let first = longer.next().filter(|_| typed.len() >= 3)?;
+    longer.next().is_none().then_some(*first)
+}
+
+/// Letters to insert, remove or replace to make one word of the other.
+fn changes(a: &[char], b: &[char]) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_words_are_found_and_far_ones_are_not() {
+        let known = ["bench 2", "bench 3", "gully"];
+        assert_eq!(nearest("Bench2", &known), Some("bench 2"));
+        assert_eq!(nearest("guly", &known), Some("gully"));
+        assert_eq!(nearest("portal", &known), None);
+        assert_eq!(nearest("", &known), None);
+        assert_eq!(nearest("dt-8x10", &["dt-8x10-2.7", "dt-6x8-2.2"]), Some("dt-8x10-2.7"));
+        assert_eq!(nearest("ben", &known), None);
+        assert_eq!(nearest("x", &[]), None);
+    }
+}

@@ -1,0 +1,174 @@
+//! Results to standard output, everything else to standard error, and exit codes.
+
+use crate::project::LoadError;
+use crate::units::without_noise;
+use clap::ValueEnum;
+use serde::Serializer;
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Exit code of a failure: a disk, a printed digit that differs.
+pub const FAILURE: u8 = 1;
+/// Exit code of bad input: a flag, a value, a file.
+pub const BAD_INPUT: u8 = 2;
+
+/// How a result is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Format {
+    /// A text for people.
+    #[default]
+    Text,
+    /// JSON, SI with kN.
+    Json,
+}
+
+/// What a subcommand has to say when it went well.
+#[derive(Debug, Default)]
+pub struct Output {
+    /// The result, for standard output, with its last line feed.
+    pub result: String,
+    /// Remarks, for standard error.
+    pub notes: Vec<String>,
+    /// Whether the result itself is bad news: exit code 1.
+    pub failed: bool,
+}
+
+/// Why there is no result.
+#[derive(Debug, thiserror::Error)]
+pub enum Fault {
+    /// Something that was typed or stands in a file is wrong; one sentence each.
+    #[error("{}", .0.join("\n"))]
+    Input(Vec<String>),
+    /// The machine did not do what it was asked.
+    #[error("{0}")]
+    Failure(String),
+}
+
+impl Fault {
+    /// One thing that is wrong with the input.
+    pub fn input(said: impl Into<String>) -> Fault {
+        Fault::Input(vec![said.into()])
+    }
+}
+
+impl From<LoadError> for Fault {
+    fn from(error: LoadError) -> Fault {
+        if error.is_bad_input() {
+            Fault::input(error.to_string())
+        } else {
+            Fault::Failure(error.to_string())
+        }
+    }
+}
+
+/// What a subcommand returns.
+pub type Outcome = Result<Output, Fault>;
+
+/// A result without remarks.
+pub fn result(text: String) -> Outcome {
+    Ok(Output { result: text, ..Output::default() })
+}
+
+/// Writes an outcome and returns the exit code.
+pub fn finish(outcome: Outcome) -> ExitCode {
+    match outcome {
+        Ok(output) => {
+            for note in &output.notes {
+                say("note", note);
+            }
+            match to_stdout(&output.result) {
+                Ok(()) if output.failed => ExitCode::from(FAILURE),
+                Ok(()) => ExitCode::SUCCESS,
+                // The reader has what it wanted: `| head` is no failure.
+                Err(e) if e.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+                Err(e) => {
+                    say("error", &format!("the result cannot be written: {e}"));
+                    ExitCode::from(FAILURE)
+                }
+            }
+        }
+        Err(fault) => {
+            let code = match &fault {
+                Fault::Input(all) => {
+                    all.iter().for_each(|one| say("error", one));
+                    BAD_INPUT
+                }
+                Fault::Failure(one) => {
+                    say("error", one);
+                    FAILURE
+                }
+            };
+            ExitCode::from(code)
+        }
+    }
+}
+
+/// Says something on standard error; where nobody listens, nothing happens.
+pub fn say(kind: &str, text: &str) {
+    let _ = writeln!(io::stderr(), "{kind}: {text}");
+}
+
+fn to_stdout(text: &str) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    out.flush()
+}
+
+/// JSON of a value that is made of structs, lists, texts and finite numbers.
+pub fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
+    serde_json::to_string(value)
+        .map_err(|e| Fault::Failure(format!("the result cannot be written as JSON: {e}")))
+}
+
+/// For `#[serde(serialize_with = ...)]`: a number without the noise of conversion.
+pub fn number<S: Serializer>(value: &f64, s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_f64(without_noise(*value))
+}
+
+/// The same for a number that may be missing.
+pub fn optional<S: Serializer>(value: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
+    match value {
+        Some(value) => number(value, s),
+        None => s.serialize_none(),
+    }
+}
+
+/// The same for a list.
+pub fn list<S: Serializer>(values: &[f64], s: S) -> Result<S::Ok, S::Error> {
+    s.collect_seq(values.iter().map(|v| without_noise(*v)))
+}
+
+/// Breaks a text into lines of at most `width` columns: the first begins with `head`, the others are
+/// indented to the width of it. A word that is too long stands on a line of its own.
+pub fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
+    use unicode_width::UnicodeWidthStr;
+    let indent = " ".repeat(head.width());
+    let mut lines = Vec::new();
+    let mut line = head.to_string();
+    let mut empty = true;
+    for word in text.split_whitespace() {
+        if !empty && line.width() + 1 + word.width() > width {
+            lines.push(std::mem::replace(&mut line, indent.clone()));
+            empty = true;
+        }
+        if !empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        empty = false;
+    }
+    lines.push(line.trim_end().to_string());
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_break_between_words_and_keep_their_indent() {
+        assert_eq!(wrapped("ab  ", "one two three", 11), ["ab  one two", "    three"]);
+        assert_eq!(wrapped("a ", "", 10), ["a"]);
+        assert_eq!(wrapped("", "immeasurable", 4), ["immeasurable"]);
+    }
+}

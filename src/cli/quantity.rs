@@ -1,0 +1,62 @@
+//! Lengths, forces and factors on the command line. Bare numbers are metres and kilonewtons; what is
+//! wrong with a value is said with the range and the unit.
+
+use crate::units::{LengthUnit, Quantity, parse};
+
+/// Range of a plate or a punch, for messages.
+pub const SIZE_RANGE: &str = "above 0, below the spacing L";
+
+fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
+    let how = match quantity {
+        Quantity::Length => ", in metres or with a unit such as 250mm",
+        Quantity::Force => ", in kN or with a unit such as 25000N",
+        Quantity::Number => ", without a unit",
+    };
+    parse(text, quantity, LengthUnit::Metre).map_err(|e| format!("{e}; allowed: {allowed}{how}"))
+}
+
+/// Plate side or punch diameter, m.
+pub fn size(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Length, SIZE_RANGE)
+}
+
+/// Spacing, m.
+pub fn spacing(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Length, "above 0, below 100 m")
+}
+
+/// Offset, m.
+pub fn offset(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Length, "-L/2 to L/2")
+}
+
+/// Design force, N.
+pub fn force(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Force, "above 0, up to 10000 kN")
+}
+
+/// Allowable deflection, m.
+pub fn deflection(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Length, "above 0, up to 10 m")
+}
+
+/// Partial factor.
+pub fn factor(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Number, "0.5 to 5")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refusals_name_range_and_unit() {
+        assert_eq!(size("250mm"), Ok(0.25));
+        assert_eq!(force("25"), Ok(25_000.0));
+        assert_eq!(
+            size("2,7").unwrap_err(),
+            "write the decimal point as a point: 2.7; allowed: above 0, below the spacing L, in metres or with a unit such as 250mm"
+        );
+        assert!(factor("1 kN").unwrap_err().contains("0.5 to 5, without a unit"));
+    }
+}

@@ -1,0 +1,84 @@
+//! Laboratory extension: the effect of the panel's size on the standard punch test, Eqs. 1-2 of
+//! Pol & Gabrieli (2021), both ways. Holds for the standard punch of 1.0 m only.
+
+use super::Values;
+use crate::mesh::{LabRecord, STANDARD_PANEL, STANDARD_PUNCH};
+
+/// Range of panel sides on which Eqs. 1-2 were fitted, m.
+pub const PANEL_RANGE: (f64, f64) = (2.0, 4.5);
+
+/// Eq. 1: largest force of a panel of side `panel` (m) over that of the standard panel,
+/// 0.89 + 0.11 L/L^l.
+pub fn force_ratio(panel: f64) -> f64 {
+    0.89 + 0.11 * panel / STANDARD_PANEL
+}
+
+/// Eq. 2: deflection at failure of a panel of side `panel` (m) over that of the standard panel,
+/// 0.15 + 0.85 L/L^l.
+pub fn deflection_ratio(panel: f64) -> f64 {
+    0.15 + 0.85 * panel / STANDARD_PANEL
+}
+
+/// Eqs. 1-2: from the standard values to a laboratory panel of another side (m).
+pub fn to_panel(standard: Values, panel: f64) -> Values {
+    Values {
+        force: standard.force * force_ratio(panel),
+        deflection: standard.deflection * deflection_ratio(panel),
+    }
+}
+
+/// Eqs. 1-2 inverted: from a test on a panel of side `panel` (m) to the standard values F_l*, delta_l*.
+pub fn from_panel(measured: Values, panel: f64) -> Values {
+    Values {
+        force: measured.force / force_ratio(panel),
+        deflection: measured.deflection / deflection_ratio(panel),
+    }
+}
+
+/// The standard values F_l*, delta_l* of a laboratory record, or nothing when its punch is not the
+/// standard 1.0 m, for which the paper gives no relation.
+///
+/// A record of the standard panel is returned untouched, to the last bit.
+pub fn standard_values(record: &LabRecord) -> Option<Values> {
+    let measured = Values { force: record.force, deflection: record.deflection };
+    if record.punch != STANDARD_PUNCH {
+        None
+    } else if record.panel == STANDARD_PANEL {
+        Some(measured)
+    } else {
+        Some(from_panel(measured, record.panel))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Rounding of a handful of operations; values worked by hand to the digits shown.
+    const TINY: f64 = 1e-12;
+
+    #[test]
+    fn worked_by_hand() {
+        // L = 4.5: 0.89 + 0.11 x 1.5 = 1.055; 0.15 + 0.85 x 1.5 = 1.425.
+        assert!((force_ratio(4.5) - 1.055).abs() < TINY);
+        assert!((deflection_ratio(4.5) - 1.425).abs() < TINY);
+        // L = 2: 0.89 + 0.22/3 = 0.963333...; 0.15 + 1.7/3 = 0.716666...
+        let at_2 = to_panel(Values { force: 73_300.0, deflection: 0.60 }, 2.0);
+        assert!((at_2.force - 70_612.333_333_333_33).abs() < 1e-6);
+        assert!((at_2.deflection - 0.43).abs() < TINY);
+        // The standard panel is its own reference.
+        assert!(
+            (force_ratio(3.0) - 1.0).abs() < TINY && (deflection_ratio(3.0) - 1.0).abs() < TINY
+        );
+    }
+
+    #[test]
+    fn both_ways_meet() {
+        let standard = Values { force: 73_300.0, deflection: 0.60 };
+        for panel in [2.0, 2.5, 3.25, 4.5] {
+            let back = from_panel(to_panel(standard, panel), panel);
+            assert!((back.force / standard.force - 1.0).abs() < TINY);
+            assert!((back.deflection / standard.deflection - 1.0).abs() < TINY);
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! The closed-form forecast of Pol & Gabrieli (2021): from the laboratory punch test of a mesh to the
+//! force-deflection curve of an anchored panel, in three steps.
+//!
+//! 1. [`laboratory`] (Eqs. 1-2) brings a test to the standard panel, [`ratios`] (alpha_F,
+//!    alpha_delta) to the field reference F_a*, delta_a*.
+//! 2. [`field`] (Eqs. A.1-A.2) takes the layout into account, [`eccentricity`] (Fig. A1) the punch's
+//!    offset: F_a, delta_a.
+//! 3. [`master`] (Eq. 3) gives the curve, rescaled by both.
+//!
+//! [`design`] answers what engineers ask of the curve; [`warning`] says what to distrust;
+//! [`fingerprint`] tells inputs apart; [`published`] holds what the paper prints against ours.
+//! The room reads no file and no clock; the same inputs give the same bits.
+
+pub mod design;
+pub mod eccentricity;
+pub mod field;
+pub mod fingerprint;
+pub mod laboratory;
+pub mod master;
+pub mod published;
+pub mod ratios;
+pub mod warning;
+
+use crate::curve::{Curve, Point};
+use crate::layout::{self, BranchRule, Layout};
+use crate::mesh::{MeshType, STANDARD_PANEL};
+use crate::problem::Problem;
+use eccentricity::Eccentricity;
+use field::Branch;
+use ratios::Ratios;
+use warning::{PublishedRange, Warning};
+
+/// Points of a forecast curve, both ends included.
+pub const CURVE_POINTS: usize = 201;
+
+/// A force with its deflection: the characteristic values of a test or a panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Values {
+    /// Force, N.
+    pub force: f64,
+    /// Deflection, m.
+    pub deflection: f64,
+}
+
+/// The forecast of one layout with one mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forecast {
+    /// The layout it is for.
+    pub layout: Layout,
+    /// The branch rule it follows.
+    pub rule: BranchRule,
+    /// Standard laboratory values F_l*, delta_l*.
+    pub laboratory: Values,
+    /// Field reference values F_a*, delta_a* (step 1).
+    pub reference: Values,
+    /// The ratios that led from one to the other.
+    pub ratios: Ratios,
+    /// Factors of the eccentricity, with their uncertainty.
+    pub eccentricity: Eccentricity,
+    /// The panel's values and curve; nothing when the punch is on a plate.
+    pub field: Option<Field>,
+    /// What to distrust.
+    pub warnings: Vec<Warning>,
+}
+
+/// The forecast of the anchored panel: its values at failure, and with them its whole curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Field {
+    /// F_a, delta_a, eccentricity included.
+    pub values: Values,
+    /// By the size of the punch against the plate: `SmallPunch` where D <= d.
+    pub regime: Branch,
+    /// The branch of A.1-A.2 that was used.
+    pub branch: Branch,
+    /// The same values by the other branch, where the layout is near the branch change.
+    pub other_branch: Option<Values>,
+}
+
+impl Forecast {
+    /// F_a over F_l*, if there is a field value.
+    pub fn force_over_lab(&self) -> Option<f64> {
+        self.field.map(|f| f.values.force / self.laboratory.force)
+    }
+
+    /// delta_a over delta_l*, if there is a field value.
+    pub fn deflection_over_lab(&self) -> Option<f64> {
+        self.field.map(|f| f.values.deflection / self.laboratory.deflection)
+    }
+
+    /// Whether any size is outside its published range, so that the numbers are extrapolated.
+    pub fn extrapolated(&self) -> bool {
+        self.warnings
+            .iter()
+            .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))
+    }
+}
+
+impl Field {
+    /// Force at a deflection (m), N, on the rescaled master curve; meaningful from 0 to delta_a.
+    pub fn force_at(&self, deflection: f64) -> f64 {
+        self.values.force * master::force(deflection / self.values.deflection)
+    }
+
+    /// Deflection at a force (N), m: the exact inverse of [`Field::force_at`]; nothing beyond F_a.
+    pub fn deflection_at(&self, force: f64) -> Option<f64> {
+        // The failure force itself is on the curve, rounding of a quotient included.
+        let y = force / self.values.force;
+        (0.0..=1.0 + 1e-12)
+            .contains(&y)
+            .then(|| self.values.deflection * master::deflection(y.min(1.0)))
+    }
+
+    /// Tangent stiffness at a deflection (m), N/m.
+    pub fn tangent_at(&self, deflection: f64) -> f64 {
+        self.values.force / self.values.deflection
+            * master::slope(deflection / self.values.deflection)
+    }
+
+    /// Secant stiffness from 0 to a deflection (m, above 0), N/m.
+    pub fn secant_at(&self, deflection: f64) -> f64 {
+        self.force_at(deflection) / deflection
+    }
+
+    /// Energy absorbed from 0 to a deflection (m), J.
+    pub fn energy_to(&self, deflection: f64) -> f64 {
+        self.values.force
+            * self.values.deflection
+            * master::area(deflection / self.values.deflection)
+    }
+
+    /// The curve from 0 to the failure deflection, both ends included.
+    pub fn curve(&self, points: usize) -> Curve {
+        rescaled(self.values, points)
+    }
+}
+
+/// Eq. 3 rescaled to a failure point, at equal steps of deflection, both ends included.
+///
+/// For the laboratory values this is a drawing aid: only their end point was published.
+pub fn rescaled(values: Values, points: usize) -> Curve {
+    let last = points.max(2) - 1;
+    let mut curve = Curve {
+        deflection: Vec::with_capacity(last + 1),
+        force: Vec::with_capacity(last + 1),
+        failure: Some(Point { deflection: values.deflection, force: values.force }),
+    };
+    for i in 0..last {
+        let x = i as f64 / last as f64;
+        curve.deflection.push(values.deflection * x);
+        curve.force.push(values.force * master::force(x));
+    }
+    curve.deflection.push(values.deflection);
+    curve.force.push(values.force);
+    curve
+}
+
+/// Forecasts a layout with a mesh.
+///
+/// # Errors
+/// Every field of the layout or the mesh that makes no sense; what is only outside the published
+/// ranges is a warning of the result.
+pub fn forecast(
+    layout: &Layout,
+    mesh: &MeshType,
+    rule: BranchRule,
+) -> Result<Forecast, Vec<Problem>> {
+    layout.check()?;
+    let Some(laboratory) = laboratory::standard_values(&mesh.laboratory) else {
+        return Err(mesh.check().err().unwrap_or_default());
+    };
+    let ratios = ratios::of_mesh(mesh);
+    let reference = ratios::field_reference(laboratory, &ratios);
+    let eccentricity = eccentricity::published().at(layout);
+    let mut warnings = Vec::new();
+    mesh_warnings(mesh, &ratios, &mut warnings);
+    range_warnings(layout, &mut warnings);
+
+    let field = if layout.punch_on_plate() {
+        warnings.push(Warning::PunchOnPlate {
+            distance: layout.distance_to_plate(),
+            radius: layout.punch / 2.0,
+        });
+        None
+    } else {
+        Some(field_values(layout, reference, &eccentricity, rule))
+    };
+    if let Some(field) = &field {
+        field_warnings(layout, field, reference, &eccentricity, &mut warnings);
+    }
+    Ok(Forecast {
+        layout: *layout,
+        rule,
+        laboratory,
+        reference,
+        ratios,
+        eccentricity,
+        field,
+        warnings,
+    })
+}
+
+fn field_values(layout: &Layout, reference: Values, e: &Eccentricity, rule: BranchRule) -> Field {
+    let by = |branch| {
+        let centred = field::centred(layout, branch, reference);
+        Values { force: centred.force * e.force, deflection: centred.deflection * e.deflection }
+    };
+    let branch = Branch::by_rule(layout, rule);
+    Field {
+        values: by(branch),
+        regime: Branch::published(layout),
+        branch,
+        other_branch: field::near_branch_change(layout).then(|| by(branch.other())),
+    }
+}
+
+fn mesh_warnings(mesh: &MeshType, ratios: &Ratios, warnings: &mut Vec<Warning>) {
+    if mesh.example {
+        warnings.push(Warning::ExampleMesh);
+    }
+    if ratios.default && !mesh.reference {
+        warnings.push(Warning::DefaultRatios);
+    }
+    let panel = mesh.laboratory.panel;
+    if panel != STANDARD_PANEL {
+        warnings.push(Warning::PanelConverted { panel });
+        push_range(warning::PANEL, panel, warnings);
+    }
+}
+
+fn range_warnings(layout: &Layout, warnings: &mut Vec<Warning>) {
+    push_range(warning::PLATE, layout.plate, warnings);
+    push_range(warning::SPACING, layout.spacing, warnings);
+    push_range(warning::PUNCH, layout.punch, warnings);
+    let (ex, ey) = layout.folded();
+    if (ex, ey) != (layout.ex, layout.ey) {
+        warnings.push(Warning::EccentricityFolded { ex, ey });
+    }
+}
+
+fn push_range(range: PublishedRange, value: f64, warnings: &mut Vec<Warning>) {
+    if !range.holds(value) {
+        warnings.push(Warning::Extrapolated { range, value });
+    }
+}
+
+fn field_warnings(
+    layout: &Layout,
+    field: &Field,
+    reference: Values,
+    e: &Eccentricity,
+    warnings: &mut Vec<Warning>,
+) {
+    if let Some(other) = field.other_branch {
+        warnings.push(Warning::NearBranchChange { used: field.values.force, other: other.force });
+    }
+    if !e.supported {
+        warnings.push(Warning::EccentricityWithoutData);
+    }
+    if e.force_sd > 0.0 || e.deflection_sd > 0.0 {
+        warnings.push(Warning::EccentricityUncertain {
+            force: e.force_sd / e.force,
+            deflection: e.deflection_sd / e.deflection,
+        });
+    }
+    if *layout == layout::REFERENCE {
+        warnings.push(Warning::ReferencePoint {
+            force: field.values.force,
+            deflection: field.values.deflection,
+            reference_force: reference.force,
+            reference_deflection: reference.deflection,
+        });
+    }
+}

@@ -1,0 +1,241 @@
+//! What a forecast has to say about itself: published ranges left, values assumed, places where the
+//! method is weak. The number is still given; the warning says how far to trust it.
+
+use crate::units::{LengthUnit, length_text, shortest, significant};
+
+/// A published range: symbol, words, limits, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PublishedRange {
+    /// Symbol of the paper.
+    pub symbol: &'static str,
+    /// The quantity in words.
+    pub words: &'static str,
+    /// Smallest value covered, m.
+    pub min: f64,
+    /// Largest value covered, m.
+    pub max: f64,
+}
+
+/// Range of the plate side d of Eqs. A.1-A.2 and 3 (Pol & Gabrieli 2021, section 4.1).
+pub const PLATE: PublishedRange =
+    PublishedRange { symbol: "d", words: "plate side", min: 0.16, max: 0.48 };
+/// Range of the spacing L of Eqs. A.1-A.2 and 3.
+pub const SPACING: PublishedRange =
+    PublishedRange { symbol: "L", words: "spacing", min: 1.25, max: 4.5 };
+/// Range of the punch diameter D of Eqs. A.1-A.2 and 3.
+pub const PUNCH: PublishedRange =
+    PublishedRange { symbol: "D", words: "punch", min: 0.1, max: 2.5 };
+/// Range of the laboratory panel's side of Eqs. 1-2.
+pub const PANEL: PublishedRange = PublishedRange {
+    symbol: "L_l",
+    words: "laboratory panel",
+    min: super::laboratory::PANEL_RANGE.0,
+    max: super::laboratory::PANEL_RANGE.1,
+};
+
+impl PublishedRange {
+    /// Whether a value lies in the range; its ends belong to it, to a nanometre.
+    pub fn holds(&self, value: f64) -> bool {
+        value >= self.min - 1e-9 && value <= self.max + 1e-9
+    }
+
+    /// The range as text: `0.16 to 0.48 m`.
+    pub fn text(&self) -> String {
+        format!("{} to {} m", shortest(self.min), shortest(self.max))
+    }
+}
+
+/// How much a warning weighs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Weight {
+    /// Good to know; the number stands.
+    Note,
+    /// The number is extrapolated, uncertain or rests on an assumption.
+    Caution,
+    /// There is no number.
+    Outside,
+}
+
+impl Weight {
+    /// The word in output: `note`, `caution` or `outside`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Weight::Note => "note",
+            Weight::Caution => "caution",
+            Weight::Outside => "outside",
+        }
+    }
+}
+
+/// One warning of a forecast.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Warning {
+    /// A size outside the published range.
+    Extrapolated {
+        /// The range that is left.
+        range: PublishedRange,
+        /// The value, m.
+        value: f64,
+    },
+    /// The punch overlaps an anchor plate.
+    PunchOnPlate {
+        /// Distance from the punch's centre to the nearest plate, m.
+        distance: f64,
+        /// Radius of the punch, m.
+        radius: f64,
+    },
+    /// The layout is near the jump of A.1-A.2 at D = d.
+    NearBranchChange {
+        /// Force by the branch that was used, N.
+        used: f64,
+        /// Force by the other branch, N.
+        other: f64,
+    },
+    /// The punch is eccentric, so the map's uncertainty applies.
+    EccentricityUncertain {
+        /// Relative standard uncertainty of F.
+        force: f64,
+        /// Relative standard uncertainty of delta.
+        deflection: f64,
+    },
+    /// The map has no data around this eccentricity.
+    EccentricityWithoutData,
+    /// The offset was taken back into the cell by its periodicity.
+    EccentricityFolded {
+        /// The offset that stands for e_x, m.
+        ex: f64,
+        /// The offset that stands for e_y, m.
+        ey: f64,
+    },
+    /// Another mesh than the reference one uses the default ratios.
+    DefaultRatios,
+    /// The laboratory values were converted from another panel.
+    PanelConverted {
+        /// Side of the tested panel, m.
+        panel: f64,
+    },
+    /// At the reference point the published relations do not return the reference values.
+    ReferencePoint {
+        /// F_a there, N.
+        force: f64,
+        /// delta_a there, m.
+        deflection: f64,
+        /// F_a*, N.
+        reference_force: f64,
+        /// delta_a*, m.
+        reference_deflection: f64,
+    },
+    /// The mesh is an example, not a product.
+    ExampleMesh,
+}
+
+impl Warning {
+    /// Stable identifier for programs.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Warning::Extrapolated { range, .. } => match range.symbol {
+                "d" => "extrapolated_d",
+                "L" => "extrapolated_L",
+                "D" => "extrapolated_D",
+                _ => "extrapolated_panel",
+            },
+            Warning::PunchOnPlate { .. } => "punch_on_plate",
+            Warning::NearBranchChange { .. } => "near_branch_change",
+            Warning::EccentricityUncertain { .. } => "eccentricity_uncertain",
+            Warning::EccentricityWithoutData => "eccentricity_without_data",
+            Warning::EccentricityFolded { .. } => "eccentricity_folded",
+            Warning::DefaultRatios => "default_ratios",
+            Warning::PanelConverted { .. } => "panel_converted",
+            Warning::ReferencePoint { .. } => "reference_point",
+            Warning::ExampleMesh => "example_mesh",
+        }
+    }
+
+    /// How much it weighs.
+    pub fn weight(&self) -> Weight {
+        match self {
+            Warning::PunchOnPlate { .. } => Weight::Outside,
+            Warning::EccentricityFolded { .. }
+            | Warning::PanelConverted { .. }
+            | Warning::ReferencePoint { .. } => Weight::Note,
+            _ => Weight::Caution,
+        }
+    }
+
+    /// A few words for a narrow panel.
+    pub fn short(&self) -> String {
+        match self {
+            Warning::Extrapolated { range, .. } => {
+                format!("{} outside {}", range.symbol, range.text())
+            }
+            Warning::PunchOnPlate { .. } => "punch on an anchor plate".into(),
+            Warning::NearBranchChange { other, .. } => {
+                format!("near D = d: other {} kN", significant(other / 1000.0, 3))
+            }
+            Warning::EccentricityUncertain { force, .. } => {
+                format!("eccentricity +-{:.0} % on F", force * 100.0)
+            }
+            Warning::EccentricityWithoutData => "no eccentricity data here".into(),
+            Warning::EccentricityFolded { .. } => "offset taken back into the cell".into(),
+            Warning::DefaultRatios => "ratios of another mesh assumed".into(),
+            Warning::PanelConverted { .. } => "laboratory panel converted".into(),
+            Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
+            Warning::ExampleMesh => "example mesh, not a product".into(),
+        }
+    }
+
+    /// The whole sentence for people.
+    pub fn message(&self) -> String {
+        let m = |v: f64| length_text(v, LengthUnit::Metre);
+        let kn = |v: f64| significant(v / 1000.0, 3);
+        match self {
+            Warning::Extrapolated { range, value } => format!(
+                "{} {} = {} m is outside the published range {}; the values are extrapolated",
+                range.words,
+                range.symbol,
+                shortest(*value),
+                range.text()
+            ),
+            Warning::PunchOnPlate { distance, radius } => format!(
+                "the punch overlaps an anchor plate (its centre is {} from the plate, its radius is {}): outside the method, no field value",
+                m(*distance),
+                m(*radius)
+            ),
+            Warning::NearBranchChange { used, other } => format!(
+                "near the branch change at D = d, where A.1 jumps: this branch gives {} kN, the other {} kN; choose `conservative` for the lower",
+                kn(*used),
+                kn(*other)
+            ),
+            Warning::EccentricityUncertain { force, deflection } => format!(
+                "the eccentricity factors come from a map of scattered runs: +-{:.0} % on F, +-{:.0} % on delta",
+                force * 100.0,
+                deflection * 100.0
+            ),
+            Warning::EccentricityWithoutData => {
+                "the eccentricity map has no data here (its own punch was on a plate); the factors are extrapolated".into()
+            }
+            Warning::EccentricityFolded { ex, ey } => format!(
+                "the offset is beyond half the spacing; by periodicity it stands for ex = {}, ey = {}",
+                m(*ex),
+                m(*ey)
+            ),
+            Warning::DefaultRatios => {
+                "this mesh has no ratios of its own: alpha_F and alpha_delta of the double-twist reference are assumed, and may differ".into()
+            }
+            Warning::PanelConverted { panel } => format!(
+                "the laboratory values were measured on a panel of {} and converted to the standard 3.0 m by Eqs. 1-2",
+                m(*panel)
+            ),
+            Warning::ReferencePoint { force, deflection, reference_force, reference_deflection } => format!(
+                "at the reference point the published relations return {} kN and {}, not {} kN and {} (factors 0.93 and 0.98)",
+                kn(*force),
+                m(*deflection),
+                kn(*reference_force),
+                m(*reference_deflection)
+            ),
+            Warning::ExampleMesh => {
+                "this mesh is an example of the file format; its values are not a product's".into()
+            }
+        }
+    }
+}

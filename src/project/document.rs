@@ -1,0 +1,99 @@
+//! An open project file: its text, the project that the text holds, and what stands on disk.
+
+use super::load::Parsed;
+use super::schema::Project;
+use super::text::Tree;
+use super::{load, patch, write};
+use std::path::{Path, PathBuf};
+
+/// A project just opened.
+#[derive(Debug, Clone)]
+pub struct Opened {
+    /// The file.
+    pub document: Document,
+    /// The project it holds, to be edited.
+    pub project: Project,
+}
+
+/// An open project file. Editing happens on a [`Project`]; the document knows how to bring the
+/// edited project back into the text, and how to save it without harm.
+#[derive(Debug, Clone)]
+pub struct Document {
+    /// Where it is saved; none for a project that stands in no file yet.
+    pub(super) path: Option<PathBuf>,
+    /// The text on disk when it was last read or written; none if it was not on disk.
+    pub(super) on_disk: Option<String>,
+    /// The text of [`Document::base`], in the current version.
+    pub(super) text: String,
+    /// The tree of [`Document::text`].
+    pub(super) tree: Tree,
+    /// The project as opened or last saved.
+    pub(super) base: Project,
+    /// The file's version, where it is an older one and was not saved since.
+    pub(super) migrated_from: Option<u32>,
+}
+
+/// The text of an edited project.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendered {
+    /// The text.
+    pub text: String,
+    /// Whether the comments and the form of the old text are kept. They are, unless the text was of
+    /// a form in which the change could not be made safely; then the clean form is written.
+    pub comments_kept: bool,
+}
+
+impl Document {
+    pub(super) fn opened(path: Option<PathBuf>, on_disk: Option<String>, parsed: Parsed) -> Opened {
+        let Parsed { project, text, tree, migrated_from } = parsed;
+        let document = Document { path, on_disk, text, tree, base: project.clone(), migrated_from };
+        Opened { document, project }
+    }
+
+    /// Where the project is saved; none for one that stands in no file yet.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// The file's name for people.
+    pub fn title(&self) -> String {
+        let name = self.path.as_ref().and_then(|p| p.file_name());
+        name.map_or_else(|| "unnamed".to_string(), |n| n.to_string_lossy().into_owned())
+    }
+
+    /// The project as opened or last saved.
+    pub fn base(&self) -> &Project {
+        &self.base
+    }
+
+    /// Whether a project differs from what was opened or last saved.
+    pub fn is_edited(&self, project: &Project) -> bool {
+        self.base != *project
+    }
+
+    /// The version of the file on disk, where it is older than this program's and a save will
+    /// bring it up to date. That alone does not make the project edited.
+    pub fn migrated_from(&self) -> Option<u32> {
+        self.migrated_from
+    }
+
+    /// The text of an edited project: the old one with nothing but the changes made, or the clean
+    /// form where that is not possible. What was not edited comes back byte for byte.
+    pub fn render(&self, project: &Project) -> Rendered {
+        if !self.is_edited(project) {
+            return Rendered { text: self.text.clone(), comments_kept: true };
+        }
+        match patch::patch(&self.text, &self.tree, &self.base, project) {
+            Some(rendered) if holds(&rendered.text, project) => rendered,
+            _ => Rendered {
+                text: write::project(project),
+                comments_kept: self.tree.comments.is_empty(),
+            },
+        }
+    }
+}
+
+/// Whether a text is read as exactly this project.
+pub(super) fn holds(text: &str, project: &Project) -> bool {
+    load::parse_text(text, "").is_ok_and(|parsed| parsed.project == *project)
+}

@@ -1,0 +1,152 @@
+//! The user's own place: where the first project goes, which one was open last, and which before.
+//!
+//! Everything here may fail without harm: without a home directory, or with one that cannot be
+//! written, the program starts all the same and says what it cannot keep.
+
+use super::document::Opened;
+use super::error::LoadError;
+use super::load;
+use super::save::write_atomically;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Environment variable that names the data directory in place of the system's own.
+pub const DATA_DIR_VARIABLE: &str = "MESHCAST_DATA_DIR";
+
+/// Most paths in the list of recent projects.
+const MOST_RECENT: usize = 20;
+
+/// Name of the sample in the data directory.
+const SAMPLE_NAME: &str = "road-cut.ron";
+const SAMPLE: &str = include_str!("../../projects/road-cut.ron");
+
+/// The user's data directory, if there is one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Home {
+    dir: Option<PathBuf>,
+}
+
+/// A project to start with.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// The project.
+    pub opened: Opened,
+    /// Something the user should know, for example that the project is kept nowhere yet.
+    pub note: Option<String>,
+}
+
+/// What is remembered from run to run; unknown fields of a newer version are passed over.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+struct State {
+    /// Projects that were open, the last one first, as absolute paths.
+    recent: Vec<PathBuf>,
+}
+
+impl Home {
+    /// The data directory of this system, or the one that `MESHCAST_DATA_DIR` names. Nothing is made.
+    pub fn find() -> Home {
+        let named = std::env::var_os(DATA_DIR_VARIABLE).filter(|dir| !dir.is_empty());
+        let dir = named.map(PathBuf::from).or_else(|| {
+            directories::ProjectDirs::from("", "", "meshcast").map(|d| d.data_dir().to_path_buf())
+        });
+        Home { dir }
+    }
+
+    /// A data directory at a place, or none; for tests.
+    pub fn at(dir: Option<PathBuf>) -> Home {
+        Home { dir }
+    }
+
+    /// The data directory; it need not exist.
+    pub fn data_dir(&self) -> Option<&Path> {
+        self.dir.as_deref()
+    }
+
+    pub(super) fn owns(&self, path: &Path) -> bool {
+        self.dir.as_ref().is_some_and(|dir| path.starts_with(dir))
+    }
+
+    /// The project to start with when none is named: the last one, or on the first run a copy of the
+    /// sample in the data directory. Where that cannot be made, the sample stands in no file. A last
+    /// project that cannot be opened any more is passed over with a note.
+    ///
+    /// # Errors
+    /// Only if the sample in the data directory was changed so that it cannot be read.
+    pub fn start_project(&self) -> Result<Start, LoadError> {
+        let mut note = None;
+        if let Some(last) = self.recent().first() {
+            match load::load(last) {
+                Ok(opened) => return Ok(Start { opened, note: None }),
+                Err(error) => {
+                    let why = error.faults.first().map_or("", |f| f.problem.message.as_str());
+                    note = Some(format!("The last project, {}: {why}.", last.display()));
+                }
+            }
+        }
+        let Some(dir) = &self.dir else {
+            return unsaved(note, "There is no data directory");
+        };
+        let path = dir.join(SAMPLE_NAME);
+        let made = if fs::symlink_metadata(&path).is_ok() {
+            Ok(())
+        } else {
+            fs::create_dir_all(dir).and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
+        };
+        match made {
+            Ok(()) => Ok(Start { opened: load::load(&path)?, note }),
+            Err(_) => unsaved(note, &format!("{} cannot be written", dir.display())),
+        }
+    }
+
+    /// Notes that a project was opened or saved; the next start opens it.
+    ///
+    /// # Errors
+    /// What the system said. There is nothing to be done about it, but `Ok(false)` without a data
+    /// directory and the error let a caller tell.
+    pub fn remember(&self, path: &Path) -> io::Result<bool> {
+        let Some(file) = self.state_file() else { return Ok(false) };
+        let path = std::path::absolute(path)?;
+        let mut state = self.state();
+        if state.recent.first() == Some(&path) {
+            return Ok(true);
+        }
+        state.recent.retain(|p| *p != path);
+        state.recent.insert(0, path);
+        state.recent.truncate(MOST_RECENT);
+        if let Some(dir) = file.parent() {
+            fs::create_dir_all(dir)?;
+        }
+        let text = ron::ser::to_string_pretty(&state, ron::ser::PrettyConfig::new())
+            .map_err(io::Error::other)?;
+        write_atomically(&file, format!("{text}\n").as_bytes())?;
+        Ok(true)
+    }
+
+    /// Projects that were open, the last one first, at most 20. Some may be gone by now.
+    pub fn recent(&self) -> Vec<PathBuf> {
+        self.state().recent
+    }
+
+    fn state_file(&self) -> Option<PathBuf> {
+        self.dir.as_ref().map(|dir| dir.join("state.ron"))
+    }
+
+    /// What is remembered; nothing where the file is missing or damaged.
+    fn state(&self) -> State {
+        let file = self.state_file().filter(|f| f.is_file());
+        let bytes = file.and_then(|file| load::read_bytes(&file).ok());
+        let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
+        text.and_then(|text| ron::from_str(&text).ok()).unwrap_or_default()
+    }
+}
+
+/// The sample in no file.
+fn unsaved(note: Option<String>, why: &str) -> Result<Start, LoadError> {
+    let mut said = note.map(|n| n + " ").unwrap_or_default();
+    said.push_str(why);
+    said.push_str(": this is the sample, kept nowhere until you save it under a name.");
+    Ok(Start { opened: load::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
+}

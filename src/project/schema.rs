@@ -1,0 +1,302 @@
+//! A project in memory: what a user's file holds, in SI.
+
+use crate::layout::{self, BranchRule, Layout};
+use crate::mesh::{self, MeshType, catalogue};
+use crate::units::LengthUnit;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// The format that this program writes. Version 0 is still read, see [`super::migrate`].
+pub const CURRENT_VERSION: u32 = 1;
+
+/// A project: a site's layouts and the meshes they use.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Project {
+    /// Format version, always [`CURRENT_VERSION`] in memory.
+    pub version: u32,
+    /// Name of the project, not empty.
+    pub name: String,
+    /// Where it is; may be empty.
+    pub site: String,
+    /// Free text; may be empty and may have several lines.
+    pub notes: String,
+    /// The mesh types it uses. Empty stands for the reference mesh alone.
+    pub meshes: Vec<MeshUse>,
+    /// Its layouts, in the order of the list on the screen; names are unique.
+    pub layouts: Vec<NamedLayout>,
+    /// How it is shown.
+    pub display: Display,
+}
+
+/// A mesh type that a project uses.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MeshUse {
+    /// One of the catalogue, by its identifier.
+    Catalogue(String),
+    /// One written out in the project.
+    Inline(Arc<MeshType>),
+}
+
+impl MeshUse {
+    /// Identifier of the mesh, by which layouts name it.
+    pub fn id(&self) -> &str {
+        match self {
+            MeshUse::Catalogue(id) => id,
+            MeshUse::Inline(mesh) => &mesh.id,
+        }
+    }
+}
+
+/// How a project is shown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Display {
+    /// Unit of lengths on the screen; the file always holds metres.
+    pub length_unit: LengthUnit,
+}
+
+/// A layout with its name, its mesh and its design questions. Lengths m, forces N.
+///
+/// Two layouts are equal when all but their [`uid`](NamedLayout::uid) is equal.
+#[derive(Debug, Clone)]
+pub struct NamedLayout {
+    /// Which layout this is, whatever its name, values and position: kept through edits, undo and
+    /// reordering, so that its comments in the file can follow it. Not part of the file.
+    /// A copy that is to be a layout of its own needs a [`fresh_uid`].
+    pub uid: u64,
+    /// Name, unique in the project, 1 to 60 characters.
+    pub name: String,
+    /// Side of the square anchor plate, d, m; above 0 and below the spacing. Published 0.16 to 0.48.
+    pub plate: f64,
+    /// Anchor spacing, L, m; above 0, below 100. Published 1.25 to 4.5.
+    pub spacing: f64,
+    /// Diameter of the punching element, D, m; above 0 and below the spacing. Published 0.1 to 2.5.
+    pub punch: f64,
+    /// Offset of the punch across the twists, e_x, m; from -L/2 to L/2, default 0.
+    pub ex: f64,
+    /// Offset of the punch along the twists, e_y, m; from -L/2 to L/2, default 0.
+    pub ey: f64,
+    /// Identifier of the mesh. Left out in a file: the project's first mesh.
+    pub mesh: String,
+    /// Which branch of Eqs. A.1-A.2 to take, default `published`.
+    pub branch: BranchRule,
+    /// Design force, N; above 0, up to 10 000 kN.
+    pub design_force: Option<f64>,
+    /// Allowable deflection, m; above 0, up to 10 m.
+    pub allowable_deflection: Option<f64>,
+    /// Partial factor on the resistance, 0.5 to 5, default 1.
+    pub gamma_resistance: f64,
+    /// Partial factor on the load, 0.5 to 5, default 1.
+    pub gamma_load: f64,
+    /// Whether the layout's curve is drawn over the current one; at most [`MOST_OVERLAYS`] are.
+    pub overlay: bool,
+    /// Free text; may be empty.
+    pub note: String,
+}
+
+/// Most layouts whose curves are overlaid.
+pub const MOST_OVERLAYS: usize = 4;
+/// Most layouts in a project.
+pub const MOST_LAYOUTS: usize = 1000;
+/// Most mesh types in a project.
+pub const MOST_MESHES: usize = 100;
+/// Longest name of a project, site or layout, in characters.
+pub const LONGEST_NAME: usize = 60;
+/// Smallest and largest partial factor.
+pub const FACTOR_RANGE: (f64, f64) = (0.5, 5.0);
+/// Largest design force, N.
+pub const LARGEST_DESIGN_FORCE: f64 = 1.0e7;
+/// Largest allowable deflection, m.
+pub const LARGEST_DEFLECTION: f64 = 10.0;
+
+/// A number for a new layout's [`uid`](NamedLayout::uid), never given out before in this process.
+pub fn fresh_uid() -> u64 {
+    // Shared by the whole process on purpose: a number taken from a project's state would come back
+    // after an undo and hand one layout's comments to another.
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
+impl PartialEq for NamedLayout {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+            && self.layout() == other.layout()
+            && self.mesh == other.mesh
+            && self.branch == other.branch
+            && self.design_force == other.design_force
+            && self.allowable_deflection == other.allowable_deflection
+            && self.gamma_resistance == other.gamma_resistance
+            && self.gamma_load == other.gamma_load
+            && self.overlay == other.overlay
+            && self.note == other.note
+    }
+}
+
+impl NamedLayout {
+    /// A new layout of this name and geometry, with the given mesh and nothing else set.
+    pub fn new(name: impl Into<String>, layout: Layout, mesh: impl Into<String>) -> Self {
+        NamedLayout {
+            uid: fresh_uid(),
+            name: name.into(),
+            plate: layout.plate,
+            spacing: layout.spacing,
+            punch: layout.punch,
+            ex: layout.ex,
+            ey: layout.ey,
+            mesh: mesh.into(),
+            branch: BranchRule::Published,
+            design_force: None,
+            allowable_deflection: None,
+            gamma_resistance: 1.0,
+            gamma_load: 1.0,
+            overlay: false,
+            note: String::new(),
+        }
+    }
+
+    /// The geometry.
+    pub fn layout(&self) -> Layout {
+        Layout {
+            plate: self.plate,
+            spacing: self.spacing,
+            punch: self.punch,
+            ex: self.ex,
+            ey: self.ey,
+        }
+    }
+
+    /// Sets the geometry.
+    pub fn set_layout(&mut self, layout: Layout) {
+        self.plate = layout.plate;
+        self.spacing = layout.spacing;
+        self.punch = layout.punch;
+        self.ex = layout.ex;
+        self.ey = layout.ey;
+    }
+
+    /// The same layout under another name, as a layout of its own: a fresh uid, no overlay.
+    pub fn duplicate(&self, name: impl Into<String>) -> Self {
+        NamedLayout { uid: fresh_uid(), name: name.into(), overlay: false, ..self.clone() }
+    }
+}
+
+impl Project {
+    /// A project of one layout at the published reference point with the reference mesh.
+    pub fn starter(name: impl Into<String>) -> Self {
+        Project {
+            version: CURRENT_VERSION,
+            name: name.into(),
+            site: String::new(),
+            notes: String::new(),
+            meshes: vec![MeshUse::Catalogue(mesh::REFERENCE_ID.to_string())],
+            layouts: vec![NamedLayout::new("reference", layout::REFERENCE, mesh::REFERENCE_ID)],
+            display: Display::default(),
+        }
+    }
+
+    /// Identifier of the mesh of a layout that names none: the project's first, or the reference mesh.
+    pub fn default_mesh(&self) -> &str {
+        self.meshes.first().map_or(mesh::REFERENCE_ID, MeshUse::id)
+    }
+
+    /// The mesh of a layout, if there is one of that identifier, see [`Project::find_mesh`].
+    pub fn mesh(&self, layout: &NamedLayout) -> Option<Arc<MeshType>> {
+        self.find_mesh(&layout.mesh)
+    }
+
+    /// The mesh of this identifier: one written out in the project, or else one of the catalogue.
+    pub fn find_mesh(&self, id: &str) -> Option<Arc<MeshType>> {
+        let inline = self.meshes.iter().find_map(|m| match m {
+            MeshUse::Inline(mesh) if mesh.id == id => Some(mesh.clone()),
+            _ => None,
+        });
+        inline.or_else(|| catalogue::find(id))
+    }
+
+    /// Every mesh that a layout can name: those of the project first, then the rest of the catalogue.
+    pub fn available_meshes(&self) -> Vec<Arc<MeshType>> {
+        let mut list: Vec<Arc<MeshType>> =
+            self.meshes.iter().filter_map(|m| self.find_mesh(m.id())).collect();
+        for mesh in catalogue::all() {
+            if !list.iter().any(|m| m.id == mesh.id) {
+                list.push(mesh.clone());
+            }
+        }
+        list
+    }
+
+    /// The layout of this name; blanks around the name do not matter.
+    pub fn find_layout(&self, name: &str) -> Option<&NamedLayout> {
+        self.layouts.iter().find(|l| l.name.trim() == name.trim())
+    }
+
+    /// A name near `wanted` that no layout has yet: `bench 2`, `bench 2 (2)`, `bench 2 (3)`.
+    pub fn free_name(&self, wanted: &str) -> String {
+        let wanted = wanted.trim();
+        let wanted = if wanted.is_empty() { "layout" } else { wanted };
+        if self.find_layout(wanted).is_none() {
+            return wanted.to_string();
+        }
+        let stem = wanted
+            .rsplit_once(" (")
+            .filter(|(_, n)| n.strip_suffix(')').is_some_and(|n| n.parse::<u32>().is_ok()))
+            .map_or(wanted, |(stem, _)| stem);
+        // One more than there are layouts: one of these names is free.
+        for n in 2..self.layouts.len() + 3 {
+            let tail = format!(" ({n})");
+            let room = LONGEST_NAME - tail.len();
+            let name = format!("{}{tail}", stem.chars().take(room).collect::<String>().trim_end());
+            if self.find_layout(&name).is_none() {
+                return name;
+            }
+        }
+        wanted.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_project_without_meshes_uses_the_reference_mesh() {
+        let mut project = Project::starter("p");
+        project.meshes.clear();
+        assert_eq!(project.default_mesh(), mesh::REFERENCE_ID);
+        assert!(project.mesh(&project.layouts[0]).is_some_and(|m| m.reference));
+    }
+
+    #[test]
+    fn an_inline_mesh_goes_before_one_of_the_catalogue() {
+        let mut own = (*catalogue::reference()).clone();
+        own.name = "ours".into();
+        let mut project = Project::starter("p");
+        project.meshes = vec![MeshUse::Inline(Arc::new(own))];
+        assert_eq!(
+            project.find_mesh(mesh::REFERENCE_ID).map(|m| m.name.clone()),
+            Some("ours".into())
+        );
+        assert_eq!(project.find_mesh("no-such"), None);
+    }
+
+    #[test]
+    fn free_names_are_free_and_not_too_long() {
+        let mut project = Project::starter("p");
+        assert_eq!(project.free_name("a"), "a");
+        assert_eq!(project.free_name("reference"), "reference (2)");
+        project.layouts.push(project.layouts[0].duplicate("reference (2)"));
+        assert_eq!(project.free_name("reference (2)"), "reference (3)");
+        let long = "x".repeat(LONGEST_NAME);
+        project.layouts[0].name = long.clone();
+        assert_eq!(project.free_name(&long).chars().count(), LONGEST_NAME);
+    }
+
+    #[test]
+    fn equality_looks_past_the_uid() {
+        let one = Project::starter("p");
+        let mut two = Project::starter("p");
+        assert_ne!(one.layouts[0].uid, two.layouts[0].uid);
+        assert_eq!(one, two);
+        two.layouts[0].ey = 0.1;
+        assert_ne!(one, two);
+    }
+}

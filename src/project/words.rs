@@ -1,0 +1,165 @@
+//! Wording that the room's messages share: the closest known field, ranges, shortened values.
+
+use super::schema::{FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE};
+use crate::layout::LARGEST_LENGTH;
+use crate::problem::Problem;
+use crate::units::{Quantity, to_kn};
+
+/// Longest piece of a file that is shown in a message, in characters.
+const LONGEST_SHOWN: usize = 40;
+
+/// A piece of the file as a message shows it: on one line, without control characters, not too long.
+pub fn shorten(text: &str) -> String {
+    let mut out = String::new();
+    let mut blank = false;
+    for c in text.chars() {
+        if c.is_whitespace() || c.is_control() {
+            blank = !out.is_empty();
+            continue;
+        }
+        if out.chars().count() >= LONGEST_SHOWN {
+            out.push_str("...");
+            return out;
+        }
+        if std::mem::take(&mut blank) {
+            out.push(' ');
+        }
+        out.push(c);
+    }
+    out
+}
+
+/// Other names under which people look for a field.
+const ALSO_CALLED: &[(&str, &str)] = &[
+    ("plate", "d"),
+    ("spacing", "L"),
+    ("punch", "D"),
+    ("e_x", "ex"),
+    ("e_y", "ey"),
+    ("force", "design_force"),
+    ("load", "design_force"),
+    ("deflection", "allowable_deflection"),
+    ("allowable", "allowable_deflection"),
+    ("gamma_r", "gamma_resistance"),
+    ("gamma_m", "gamma_resistance"),
+    ("gamma_f", "gamma_load"),
+    ("notes", "note"),
+    ("note", "notes"),
+    ("mesh", "meshes"),
+    ("layout", "layouts"),
+    ("title", "name"),
+    ("location", "site"),
+    ("units", "length_unit"),
+    ("unit", "length_unit"),
+];
+
+/// The known name that was most likely meant, if one is near.
+pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
+    let lower = written.to_lowercase();
+    let itself = known.iter().map(|k| (*k, *k));
+    let other = ALSO_CALLED
+        .iter()
+        .filter_map(|(other, name)| known.iter().find(|k| *k == name).map(|k| (*other, *k)));
+    itself
+        .chain(other)
+        .map(|(called, name)| (distance(&lower, &called.to_lowercase()), called, name))
+        .filter(|(steps, called, _)| *steps <= called.len().min(6) / 2)
+        .min_by_key(|(steps, ..)| *steps)
+        .map(|(.., name)| name)
+}
+
+/// How many letters must be put in, taken out or changed to get from one word to the other.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    // Words longer than any field name are far enough.
+    for (i, x) in a.chars().take(64).enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let changed = corner + usize::from(x != *y);
+            corner = row[j + 1];
+            row[j + 1] = changed.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// A field that is not known at its place.
+pub fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
+    let problem =
+        Problem::new(path, "there is no field of this name here").allowed(known.join(", "));
+    match closest(key, known) {
+        Some(name) => problem.advice(format!("is {name} meant?")),
+        None => problem,
+    }
+}
+
+/// An example of a field's value.
+pub fn example(field: &str) -> &'static str {
+    match field {
+        "version" => "1",
+        "d" => "0.32",
+        "L" => "3.0",
+        "D" => "1.0",
+        "layouts" => "[]",
+        "id" => "\"my-mesh\"",
+        "force" => "73.3",
+        "deflection" => "0.60",
+        "statistic" => "Mean",
+        "laboratory" => "(force: 73.3, deflection: 0.60, statistic: Mean, source: \"...\")",
+        "source" => "\"where the values stand\"",
+        _ => "\"...\"",
+    }
+}
+
+/// What a field takes, with its unit.
+pub fn range(field: &str) -> String {
+    match field {
+        "d" | "D" => "above 0 m, below the spacing L".to_string(),
+        "L" => format!("above 0, below {LARGEST_LENGTH} m"),
+        "ex" | "ey" => "-L/2 to L/2 in m".to_string(),
+        "design_force" => format!("above 0, up to {} kN", to_kn(LARGEST_DESIGN_FORCE)),
+        "allowable_deflection" => format!("above 0, up to {LARGEST_DEFLECTION} m"),
+        "gamma_resistance" | "gamma_load" => format!("{} to {}", FACTOR_RANGE.0, FACTOR_RANGE.1),
+        _ => String::new(),
+    }
+}
+
+/// What a quantity looks like in a file.
+pub fn quantity(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Length => "a length, a number in m or a text such as \"250 mm\",",
+        Quantity::Force => "a force, a number in kN or a text such as \"73.3 kN\",",
+        Quantity::Number => "a number",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project::decode::{LAYOUT_FIELDS, PROJECT_FIELDS};
+
+    #[test]
+    fn slips_and_other_names_lead_to_the_field() {
+        for (written, meant) in [
+            ("spacing", "L"),
+            ("spaceing", "L"),
+            ("l", "L"),
+            ("E_x", "ex"),
+            ("desing_force", "design_force"),
+            ("gamma_laod", "gamma_load"),
+            ("Overlay", "overlay"),
+        ] {
+            assert_eq!(closest(written, LAYOUT_FIELDS), Some(meant), "{written}");
+        }
+        assert_eq!(closest("layout", PROJECT_FIELDS), Some("layouts"));
+        assert_eq!(closest("weather_forecast", LAYOUT_FIELDS), None);
+    }
+
+    #[test]
+    fn shown_values_stay_on_one_short_line() {
+        assert_eq!(shorten("(\n   a: 1,\t\u{1b}[31m b)"), "(a: 1, [31m b)".replace("(a", "( a"));
+        assert_eq!(shorten(&"x".repeat(500)).len(), LONGEST_SHOWN + 3);
+    }
+}

@@ -1,0 +1,162 @@
+//! Project to text: the clean form that a new file has, with what each value means beside it.
+
+use super::inline_mesh;
+use super::schema::{MeshUse, NamedLayout, Project};
+use super::text::scalar::quoted;
+use crate::layout::BranchRule;
+use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
+use std::fmt::Write;
+
+/// What a number in a file is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Metres.
+    Length,
+    /// Kilonewtons in the file, newtons in memory.
+    Force,
+    /// No unit.
+    Number,
+}
+
+/// A number as the file holds it: the shortest text that is read back as exactly this value.
+pub fn number(si: f64, scale: Scale) -> String {
+    let back = |text: &str| -> Option<f64> {
+        let v: f64 = text.parse().ok()?;
+        Some(if scale == Scale::Force { from_kn(v) } else { v })
+    };
+    let written = if scale == Scale::Force { to_kn(si) } else { si };
+    for text in [shortest(written), format!("{written:?}")] {
+        if back(&text) == Some(si) {
+            return text;
+        }
+    }
+    // A force whose kilonewtons do not lead back to it: newtons do.
+    format!("\"{si:?} N\"")
+}
+
+/// A number in a unit that the user chose, if it is read back as exactly this value.
+pub fn number_with_unit(si: f64, quantity: Quantity, unit: &str) -> Option<String> {
+    let per_si = match unit {
+        "mm" | "MM" => 1000.0,
+        "cm" => 100.0,
+        "m" | "N" => 1.0,
+        "kN" => 1.0e-3,
+        "MN" => 1.0e-6,
+        _ => return None,
+    };
+    let bare = shortest(si * per_si);
+    let text = format!("{} {unit}", bare.strip_suffix(".0").unwrap_or(&bare));
+    (parse(&text, quantity, LengthUnit::Metre).ok() == Some(si)).then(|| format!("\"{text}\""))
+}
+
+const HEAD: &str = "\
+// A meshcast project. Lengths are metres and forces kN; a value may carry a unit in quotes instead:
+// \"250 mm\", \"25000 N\". Comments stay when meshcast saves the file.
+";
+
+const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, the net hung with its twists down the slope.
+    //   name    unique
+    //   d       side of the anchor plate, published range 0.16 to 0.48 m
+    //   L       anchor spacing, published range 1.25 to 4.5 m
+    //   D       diameter of the punching block, published range 0.1 to 2.5 m
+    // These may be left out:
+    //   ex, ey  offset of the block across and along the twists, -L/2 to L/2, default 0 m
+    //   mesh    identifier, default the first of `meshes`
+    //   branch  published (default) or conservative
+    //   design_force          kN, above 0
+    //   allowable_deflection  m, above 0
+    //   gamma_resistance, gamma_load  partial factors, 0.5 to 5, default 1
+    //   overlay true draws the curve over the current one, up to four
+    //   note    free text
+";
+
+/// The text of a new project with one layout at the published reference point, with comments that
+/// explain the format. What `meshcast new` writes.
+pub fn new_project(name: &str) -> String {
+    project(&Project::starter(name))
+}
+
+/// A project in the clean form.
+pub fn project(p: &Project) -> String {
+    let mut out = HEAD.to_string();
+    out.push_str("(\n");
+    // Writing to a string cannot fail.
+    let _ = writeln!(out, "    version: {},", p.version);
+    let _ = writeln!(out, "    name: {},", quoted(&p.name, false));
+    let _ = writeln!(out, "    site: {},", quoted(&p.site, false));
+    let _ = writeln!(out, "    notes: {},", quoted(&p.notes, true));
+    out.push_str(
+        "    // Mesh types: catalogue identifiers (meshcast mesh list) or meshes written out.\n",
+    );
+    let _ = writeln!(out, "    meshes: [");
+    for mesh in &p.meshes {
+        let _ = writeln!(out, "        {},", mesh_use(mesh, 2));
+    }
+    out.push_str("    ],\n");
+    out.push_str(LAYOUT_HELP);
+    out.push_str("    layouts: [\n");
+    for l in &p.layouts {
+        let _ = writeln!(out, "        {},", layout(l, p.default_mesh(), "        ", "\n"));
+    }
+    out.push_str("    ],\n");
+    let _ = writeln!(out, "    display: (length_unit: {}),", p.display.length_unit.symbol());
+    out.push_str(")\n");
+    out
+}
+
+/// An item of `meshes`, `indent` steps of four blanks in.
+pub fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
+    match mesh {
+        MeshUse::Catalogue(id) => quoted(id, false),
+        // A mesh that cannot be written comes out as its identifier; the text is read back before
+        // it is saved, so this is noticed.
+        MeshUse::Inline(mesh) => {
+            inline_mesh::write(mesh, indent).unwrap_or_else(|| quoted(&mesh.id, false))
+        }
+    }
+}
+
+/// An item of `layouts`, one field a line: its opening bracket stands where it is put, the other
+/// lines begin with `indent`, and `newline` ends them.
+pub fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) -> String {
+    let fields: String = layout_fields(l, default_mesh)
+        .map(|field| format!("{newline}{indent}    {field},"))
+        .collect();
+    format!("({fields}{newline}{indent})")
+}
+
+/// An item of `layouts` on one line.
+pub fn layout_on_one_line(l: &NamedLayout, default_mesh: &str) -> String {
+    let fields: Vec<String> = layout_fields(l, default_mesh).collect();
+    format!("({})", fields.join(", "))
+}
+
+fn layout_fields(l: &NamedLayout, default_mesh: &str) -> impl Iterator<Item = String> {
+    super::decode::LAYOUT_FIELDS.iter().filter_map(move |field| {
+        layout_field(l, field, default_mesh).map(|value| format!("{field}: {value}"))
+    })
+}
+
+/// The text of a layout's field; nothing where it may be left out because it has its default.
+pub fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<String> {
+    let length = |v: f64| number(v, Scale::Length);
+    let unless_default =
+        |v: f64, default: f64, scale: Scale| (v != default).then(|| number(v, scale));
+    match field {
+        "name" => Some(quoted(&l.name, false)),
+        "d" => Some(length(l.plate)),
+        "L" => Some(length(l.spacing)),
+        "D" => Some(length(l.punch)),
+        "ex" => unless_default(l.ex, 0.0, Scale::Length),
+        "ey" => unless_default(l.ey, 0.0, Scale::Length),
+        "mesh" => (l.mesh != default_mesh).then(|| quoted(&l.mesh, false)),
+        "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
+        "design_force" => l.design_force.map(|v| number(v, Scale::Force)),
+        "allowable_deflection" => l.allowable_deflection.map(length),
+        "gamma_resistance" => unless_default(l.gamma_resistance, 1.0, Scale::Number),
+        "gamma_load" => unless_default(l.gamma_load, 1.0, Scale::Number),
+        "overlay" => l.overlay.then(|| "true".to_string()),
+        "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),
+        _ => None,
+    }
+}

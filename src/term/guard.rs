@@ -1,0 +1,55 @@
+//! Taking the terminal and giving it back.
+
+use super::tty;
+use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
+use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Alternate screen, cursor hidden, pastes marked as such. The mouse is left to the terminal, so that
+/// its own selection keeps working.
+const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?2004h";
+
+/// The way back, attributes first. The screen is cleared before the alternate screen is left, because
+/// GNU screen and old consoles may have none and would keep the program's picture.
+const LEAVE: &[u8] = b"\x1b[0m\x1b[?2004l\x1b[H\x1b[2J\x1b[?25h\x1b[?1049l";
+
+/// Whether the terminal is ours now.
+static TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// Gives the terminal back as it was: raw mode off, attributes reset, cursor shown, pastes plain,
+/// alternate screen left. Does nothing when that has been done, and never fails: quit, error, panic,
+/// signals and suspend all come through here, perhaps at once and perhaps without a terminal.
+pub fn restore() {
+    if TAKEN.swap(false, Ordering::SeqCst) {
+        // Both may fail on a terminal that is gone, and then there is nobody to tell.
+        let _ = disable_raw_mode();
+        let _ = tty::write_all(LEAVE);
+    }
+}
+
+/// Takes the terminal, also when it was taken before: after a stop from outside its modes are unknown.
+pub(super) fn take() -> io::Result<()> {
+    if TAKEN.swap(true, Ordering::SeqCst) {
+        disable_raw_mode()?;
+    }
+    enable_raw_mode()?;
+    tty::write_all(ENTER)
+}
+
+/// Restores the terminal when it goes out of scope.
+pub(super) struct Guard;
+
+impl Guard {
+    /// Takes the terminal.
+    pub(super) fn take() -> io::Result<Guard> {
+        let guard = Guard;
+        take()?;
+        Ok(guard)
+    }
+}
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        restore();
+    }
+}

@@ -1,0 +1,46 @@
+//! The terminal: what it can show, its keys and signals, painting, and the loop that gives messages to
+//! the program's state and carries out the effects it asks for.
+//!
+//! One channel, one receiver. The threads `input`, `signals` and `hangup` and any worker send to it; the
+//! main thread waits on it and does nothing else, so a terminal that is gone cannot hold it up:
+//!
+//! ```text
+//! keys    -> input   --+
+//! signals -> signals --+--> channel --> update --> effects --> Host (files)
+//! hang-up -> hangup  --+                  |
+//! worker  -> Mail    --+                draw --> Painter --> one write of what changed
+//! ```
+//!
+//! Drawing happens only when the state says it changed, and writes only the cells that differ: when
+//! nothing differs, nothing is sent.
+
+pub mod capabilities;
+mod cells;
+mod error;
+mod events;
+mod files;
+mod guard;
+mod hangup;
+mod input;
+mod keys;
+mod painter;
+mod panic;
+mod pen;
+mod program;
+mod rescue;
+mod run;
+mod session;
+mod signals;
+mod state;
+mod travel;
+mod tty;
+
+pub use error::TermError;
+pub use events::Mail;
+pub use files::FileHost;
+pub use guard::restore;
+pub use keys::key_from;
+pub use painter::{Charset, Meter, Painter};
+pub use program::{Host, Program};
+pub use run::Ending;
+pub use session::{Options, Session};

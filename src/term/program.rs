@@ -1,0 +1,47 @@
+//! What the loop needs from the program's state and from the outside world.
+
+use crate::app::look::Look;
+use crate::app::message::{Effect, Message, SaveFailure, Saved};
+use crate::project::Project;
+use ratatui::buffer::Buffer;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The state of an interactive program, as the loop sees it.
+pub trait Program {
+    /// Takes a message in; what it returns is carried out in this order.
+    fn update(&mut self, message: Message) -> Vec<Effect>;
+
+    /// Draws the whole screen into an empty buffer of the terminal's size.
+    fn draw(&self, buffer: &mut Buffer);
+
+    /// Whether anything shown has changed since the last call. A `true` too many costs time but no
+    /// bytes; a `false` too many leaves an old screen.
+    fn take_dirty(&mut self) -> bool;
+
+    /// The project when it has edits that are not on disk. Asked after every message: hand out the
+    /// same `Arc` as long as nothing changed.
+    fn unsaved(&self) -> Option<Arc<Project>>;
+
+    /// Colours and glyphs as set now. A change of colours draws the screen anew.
+    fn look(&self) -> Look;
+}
+
+/// The outside world: files. Shared with the panic hook and the signal thread, which call
+/// [`recover`](Host::recover) at any moment, also while another call of this host has not returned;
+/// so `recover` must not wait for a lock that `save` holds.
+pub trait Host: Send + Sync {
+    /// Writes the project to `path`, or to its own file.
+    fn save(
+        &self,
+        project: &Arc<Project>,
+        path: Option<&Path>,
+        overwrite: bool,
+    ) -> Result<Saved, SaveFailure>;
+
+    /// Keeps unsaved edits in the recovery file and says where that is.
+    fn recover(&self, project: &Project) -> Result<PathBuf, String>;
+
+    /// Drops the recovery file; there being none is fine.
+    fn forget_recovery(&self) -> Result<(), String>;
+}

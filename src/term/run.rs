@@ -1,0 +1,248 @@
+//! The loop: waits on the channel, updates the state, carries out effects, draws what changed.
+
+use super::events::Event;
+use super::painter::{Meter, Painter};
+use super::program::{Host, Program};
+use super::rescue::Rescue;
+use crate::app::message::{Effect, Message};
+use std::collections::VecDeque;
+use std::io;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+/// Events taken in one go before the screen is drawn: a key held down costs one frame, but a flood of
+/// messages does not freeze the screen.
+const BATCH: usize = 256;
+
+/// How the interactive program ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The user quit.
+    Quit,
+    /// The terminal hung up or a signal ended the program; unsaved edits went to the recovery file.
+    HungUp,
+}
+
+/// The terminal as the loop sees it.
+pub(super) trait Stage {
+    /// Columns and rows.
+    fn size(&self) -> (u16, u16);
+    /// Sends bytes.
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()>;
+    /// Takes the terminal back after a stop.
+    fn take(&mut self) -> io::Result<()>;
+    /// Gives the terminal back and stops the process, with `group` whatever was started with it; returns
+    /// when continued. `false` when there is no shell to continue it and nothing was done.
+    fn suspend(&mut self, group: bool) -> bool;
+}
+
+/// The loop and all it holds.
+pub(super) struct Loop<'a, P, S> {
+    pub(super) program: &'a mut P,
+    pub(super) stage: S,
+    pub(super) host: Arc<dyn Host>,
+    pub(super) rescue: Arc<Rescue>,
+    pub(super) events: Receiver<Event>,
+    pub(super) painter: Painter,
+    /// How long edits may stay out of the recovery file; `None` leaves it to the program.
+    pub(super) autosave: Option<Duration>,
+    pub(super) size: (u16, u16),
+    pub(super) unkept_since: Option<Instant>,
+    /// Stopped and not yet continued: the terminal is not ours.
+    pub(super) away: bool,
+    pub(super) redraw: bool,
+    pub(super) ending: Option<Ending>,
+}
+
+impl<P: Program, S: Stage> Loop<'_, P, S> {
+    /// Runs until the program quits or its terminal is gone.
+    pub(super) fn run(&mut self) -> (Ending, Meter) {
+        self.resize(self.stage.size());
+        loop {
+            self.draw();
+            if let Some(ending) = self.ending {
+                return (ending, self.painter.meter());
+            }
+            let Some(event) = self.wait() else { continue };
+            self.take(event);
+            for _ in 1..BATCH {
+                if self.ending.is_some() {
+                    break;
+                }
+                match self.events.try_recv() {
+                    Ok(event) => self.take(event),
+                    Err(_) => break,
+                }
+            }
+        }
+    }
+
+    /// Waits for an event, and when edits have waited long enough keeps them instead.
+    fn wait(&mut self) -> Option<Event> {
+        let deadline = match (self.autosave, self.unkept_since) {
+            (Some(patience), Some(since)) => since.checked_add(patience),
+            _ => None,
+        };
+        let event = match deadline {
+            None => self.events.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            Some(deadline) => {
+                self.events.recv_timeout(deadline.saturating_duration_since(Instant::now()))
+            }
+        };
+        match event {
+            Ok(event) => Some(event),
+            Err(RecvTimeoutError::Timeout) => {
+                self.unkept_since = None;
+                if let Some(Err(why)) = self.rescue.keep() {
+                    self.update(Message::Trouble(format!(
+                        "unsaved edits could not be kept in the recovery file: {why}"
+                    )));
+                }
+                None
+            }
+            // All senders are gone: nothing will ever come.
+            Err(RecvTimeoutError::Disconnected) => {
+                self.hang_up();
+                None
+            }
+        }
+    }
+
+    fn take(&mut self, event: Event) {
+        match event {
+            Event::Message(Message::HangUp) => self.hang_up(),
+            Event::Message(Message::Resize { width, height }) => self.resize((width, height)),
+            Event::Message(message) => self.update(message),
+            Event::Stop => self.suspend(false),
+            Event::Continue => self.resume(),
+        }
+    }
+
+    /// Gives a message to the program and carries out what it asks for.
+    fn update(&mut self, message: Message) {
+        let mut messages = VecDeque::from([message]);
+        while let Some(message) = messages.pop_front() {
+            for effect in self.program.update(message) {
+                messages.extend(self.carry_out(effect));
+            }
+            self.note_unsaved();
+        }
+    }
+
+    fn carry_out(&mut self, effect: Effect) -> Option<Message> {
+        match effect {
+            Effect::Save { project, path, overwrite } => {
+                Some(Message::Saved(self.host.save(&project, path.as_deref(), overwrite)))
+            }
+            Effect::Recover { project } => {
+                let result = self.host.recover(&project);
+                self.rescue.kept(project);
+                self.unkept_since = None;
+                result
+                    .err()
+                    .map(|why| Message::Trouble(format!("unsaved edits could not be kept: {why}")))
+            }
+            Effect::ForgetRecovery => self.forget_recovery(),
+            Effect::Suspend => {
+                self.suspend(true);
+                None
+            }
+            Effect::Redraw => {
+                self.painter.forget();
+                self.redraw = true;
+                None
+            }
+            Effect::Quit => {
+                self.ending = Some(Ending::Quit);
+                None
+            }
+        }
+    }
+
+    fn forget_recovery(&mut self) -> Option<Message> {
+        let why = self.host.forget_recovery().err()?;
+        Some(Message::Trouble(format!("the recovery file could not be removed: {why}")))
+    }
+
+    fn note_unsaved(&mut self) {
+        let pointless = self.rescue.note(self.program.unsaved());
+        if pointless {
+            // The file would be offered at the next start, and refused or taken there.
+            let _ = self.host.forget_recovery();
+        }
+        if self.rescue.pending() {
+            self.unkept_since.get_or_insert_with(Instant::now);
+        } else {
+            self.unkept_since = None;
+        }
+    }
+
+    /// The end that nobody asked for: what is unsaved is kept whatever the program answers.
+    fn hang_up(&mut self) {
+        if self.ending.is_some() {
+            return;
+        }
+        for effect in self.program.update(Message::HangUp) {
+            if matches!(
+                effect,
+                Effect::Recover { .. } | Effect::ForgetRecovery | Effect::Save { .. }
+            ) {
+                self.carry_out(effect);
+            }
+        }
+        self.rescue.note(self.program.unsaved());
+        if self.rescue.pending() {
+            // A failure has nowhere to be shown.
+            let _ = self.rescue.keep();
+        }
+        self.ending = Some(Ending::HungUp);
+    }
+
+    fn resize(&mut self, size: (u16, u16)) {
+        if self.size != size {
+            self.size = size;
+            self.redraw = true;
+            self.update(Message::Resize { width: size.0, height: size.1 });
+        }
+    }
+
+    fn suspend(&mut self, group: bool) {
+        if !self.away && self.stage.suspend(group) {
+            // The terminal is taken back when the signal of continuing arrives, however it came.
+            self.away = true;
+        }
+    }
+
+    fn resume(&mut self) {
+        self.away = false;
+        if self.stage.take().is_err() {
+            self.hang_up();
+            return;
+        }
+        self.painter.forget();
+        self.redraw = true;
+        self.resize(self.stage.size());
+        self.update(Message::Resumed);
+    }
+
+    fn draw(&mut self) {
+        if self.away || self.ending.is_some() {
+            return;
+        }
+        let dirty = self.program.take_dirty();
+        if !dirty && !self.redraw {
+            return;
+        }
+        self.redraw = false;
+        let Self { program, painter, stage, .. } = self;
+        let bytes = painter.paint(self.size, program.look().color, |buffer| program.draw(buffer));
+        if !bytes.is_empty() && stage.write(bytes).is_err() {
+            self.hang_up();
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "run_tests.rs"]
+mod tests;

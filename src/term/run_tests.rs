@@ -1,0 +1,306 @@
+//! The loop with a stage, a program and a host that only take notes.
+
+use super::super::events::{self, Mail};
+use super::super::painter::Charset;
+use super::*;
+use crate::app::key::{Code, Key};
+use crate::app::look::Look;
+use crate::app::message::{SaveFailure, Saved};
+use crate::project::Project;
+use ratatui::buffer::Buffer;
+use ratatui::style::Style;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// What happened, in order.
+type Notes = Arc<Mutex<Vec<String>>>;
+
+fn note(notes: &Notes, text: impl Into<String>) {
+    notes.lock().unwrap().push(text.into());
+}
+
+struct NotedStage {
+    notes: Notes,
+    broken: bool,
+    can_stop: bool,
+    size: (u16, u16),
+}
+
+impl Stage for NotedStage {
+    fn size(&self) -> (u16, u16) {
+        self.size
+    }
+
+    fn write(&mut self, _bytes: &[u8]) -> io::Result<()> {
+        if self.broken {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
+        note(&self.notes, "frame");
+        Ok(())
+    }
+
+    fn take(&mut self) -> io::Result<()> {
+        note(&self.notes, "take");
+        Ok(())
+    }
+
+    fn suspend(&mut self, group: bool) -> bool {
+        note(&self.notes, if group { "suspend all" } else { "suspend" });
+        self.can_stop
+    }
+}
+
+struct NotedHost {
+    notes: Notes,
+    full: bool,
+}
+
+impl Host for NotedHost {
+    fn save(
+        &self,
+        project: &Arc<Project>,
+        path: Option<&Path>,
+        overwrite: bool,
+    ) -> Result<Saved, SaveFailure> {
+        note(&self.notes, format!("save {} {path:?} {overwrite}", project.name));
+        Ok(Saved { project: Arc::clone(project), path: PathBuf::new(), note: None })
+    }
+
+    fn recover(&self, project: &Project) -> Result<PathBuf, String> {
+        note(&self.notes, format!("recover {}", project.name));
+        if self.full { Err("no room".to_owned()) } else { Ok(PathBuf::new()) }
+    }
+
+    fn forget_recovery(&self) -> Result<(), String> {
+        note(&self.notes, "forget");
+        Ok(())
+    }
+}
+
+/// Notes messages; keys ask for effects.
+struct NotedProgram {
+    notes: Notes,
+    count: u32,
+    dirty: bool,
+    unsaved: Option<Arc<Project>>,
+}
+
+impl Program for NotedProgram {
+    fn update(&mut self, message: Message) -> Vec<Effect> {
+        match message {
+            Message::Key(Key { code: Code::Char(c), .. }) => {
+                match c {
+                    '+' => {
+                        self.count += 1;
+                        self.dirty = true;
+                    }
+                    'e' => self.unsaved = Some(Arc::new(Project::starter("edited"))),
+                    'u' => self.unsaved = None,
+                    's' => {
+                        let project = Arc::clone(self.unsaved.as_ref().unwrap());
+                        return vec![Effect::Save { project, path: None, overwrite: true }];
+                    }
+                    'z' => return vec![Effect::Suspend],
+                    'r' => return vec![Effect::Redraw],
+                    'q' => return vec![Effect::Quit],
+                    _ => {}
+                }
+                note(&self.notes, format!("key {c}"));
+            }
+            Message::Saved(_) => {
+                self.unsaved = None;
+                note(&self.notes, "saved");
+                return vec![Effect::ForgetRecovery];
+            }
+            Message::Trouble(text) => note(&self.notes, format!("trouble: {text}")),
+            Message::HangUp => {
+                note(&self.notes, "hang-up");
+                return vec![Effect::Redraw, Effect::Suspend];
+            }
+            Message::Resumed => note(&self.notes, "resumed"),
+            Message::Resize { width, height } => {
+                note(&self.notes, format!("size {width}x{height}"));
+            }
+            Message::Paste(_) | Message::Key(_) => {}
+        }
+        Vec::new()
+    }
+
+    fn draw(&self, buffer: &mut Buffer) {
+        buffer.set_string(0, 0, self.count.to_string(), Style::new());
+    }
+
+    fn take_dirty(&mut self) -> bool {
+        std::mem::take(&mut self.dirty)
+    }
+
+    fn unsaved(&self) -> Option<Arc<Project>> {
+        self.unsaved.clone()
+    }
+
+    fn look(&self) -> Look {
+        Look::default()
+    }
+}
+
+/// How the loop is set up; the defaults are those of a healthy world.
+struct Setting {
+    broken: bool,
+    can_stop: bool,
+    full: bool,
+    autosave: Option<Duration>,
+}
+
+const HEALTHY: Setting = Setting { broken: false, can_stop: true, full: false, autosave: None };
+
+/// Runs the loop on what `send` puts into the channel; all of it is there before the loop starts, unless
+/// `send` leaves a thread behind.
+fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
+    let notes = Notes::default();
+    let host = Arc::new(NotedHost { notes: Arc::clone(&notes), full: setting.full });
+    let (mail, events) = events::open();
+    send(mail);
+    let mut program =
+        NotedProgram { notes: Arc::clone(&notes), count: 0, dirty: true, unsaved: None };
+    let (ending, _) = Loop {
+        program: &mut program,
+        stage: NotedStage {
+            notes: Arc::clone(&notes),
+            broken: setting.broken,
+            can_stop: setting.can_stop,
+            size: (20, 4),
+        },
+        rescue: Arc::new(Rescue::new(Arc::clone(&host) as Arc<dyn Host>)),
+        host,
+        events,
+        painter: Painter::new(Charset::Utf8),
+        autosave: setting.autosave,
+        size: (0, 0),
+        unkept_since: None,
+        away: false,
+        redraw: true,
+        ending: None,
+    }
+    .run();
+    let notes = notes.lock().unwrap().clone();
+    (ending, notes)
+}
+
+fn type_keys(mail: &Mail, keys: &str) {
+    for c in keys.chars() {
+        mail.send(Message::Key(Key::char(c)));
+    }
+}
+
+fn keys(text: &'static str) -> impl FnOnce(Mail) {
+    move |mail| type_keys(&mail, text)
+}
+
+#[test]
+fn queued_keys_make_one_frame() {
+    let (ending, notes) = run(HEALTHY, |mail| {
+        type_keys(&mail, "+++");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(50));
+            type_keys(&mail, "nq");
+        });
+    });
+    assert_eq!(ending, Ending::Quit);
+    assert_eq!(notes, ["size 20x4", "frame", "key +", "key +", "key +", "frame", "key n"]);
+}
+
+#[test]
+fn what_comes_after_quit_is_not_looked_at() {
+    assert_eq!(run(HEALTHY, keys("q+++")).1, ["size 20x4", "frame"]);
+}
+
+#[test]
+fn a_save_is_answered_and_its_effects_carried_out() {
+    let (_, notes) = run(HEALTHY, keys("esq"));
+    assert_eq!(notes, ["size 20x4", "frame", "key e", "save edited None true", "saved", "forget"]);
+}
+
+#[test]
+fn a_hang_up_keeps_what_is_unsaved_whatever_the_program_does() {
+    let (ending, notes) = run(HEALTHY, |mail| {
+        type_keys(&mail, "e");
+        mail.send(Message::HangUp);
+        type_keys(&mail, "+");
+    });
+    assert_eq!(ending, Ending::HungUp);
+    assert_eq!(notes, ["size 20x4", "frame", "key e", "hang-up", "recover edited"]);
+}
+
+#[test]
+fn a_write_that_fails_and_a_channel_that_closes_are_hang_ups() {
+    let (ending, notes) = run(Setting { broken: true, ..HEALTHY }, keys(""));
+    assert_eq!((ending, notes), (Ending::HungUp, vec!["size 20x4".into(), "hang-up".into()]));
+    let (ending, notes) = run(HEALTHY, drop);
+    assert_eq!(ending, Ending::HungUp);
+    assert_eq!(notes, ["size 20x4", "frame", "hang-up"]);
+}
+
+#[test]
+fn stopped_it_draws_nothing_until_it_is_continued() {
+    let (_, notes) = run(HEALTHY, |mail| {
+        type_keys(&mail, "z+");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(50));
+            mail.event(Event::Continue);
+            std::thread::sleep(Duration::from_millis(50));
+            type_keys(&mail, "q");
+        });
+    });
+    let wanted = ["size 20x4", "frame", "suspend all", "key +", "take", "resumed", "frame"];
+    assert_eq!(notes, wanted);
+}
+
+#[test]
+fn told_to_stop_it_stops_alone_and_where_it_cannot_it_goes_on() {
+    let (_, notes) = run(Setting { can_stop: false, ..HEALTHY }, |mail| {
+        mail.event(Event::Stop);
+        type_keys(&mail, "+");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(50));
+            type_keys(&mail, "q");
+        });
+    });
+    assert_eq!(notes, ["size 20x4", "frame", "suspend", "key +", "frame"]);
+}
+
+#[test]
+fn only_a_new_size_counts_as_one() {
+    let (_, notes) = run(HEALTHY, |mail| {
+        mail.send(Message::Resize { width: 20, height: 4 });
+        mail.send(Message::Resize { width: 30, height: 4 });
+        type_keys(&mail, "q");
+    });
+    assert_eq!(notes, ["size 20x4", "frame", "size 30x4"]);
+}
+
+#[test]
+fn edits_are_kept_once_and_forgotten_when_they_are_gone() {
+    let setting = Setting { autosave: Some(Duration::from_millis(5)), ..HEALTHY };
+    let (_, notes) = run(setting, |mail| {
+        type_keys(&mail, "e");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(150));
+            type_keys(&mail, "uq");
+        });
+    });
+    assert_eq!(notes, ["size 20x4", "frame", "key e", "recover edited", "key u", "forget"]);
+}
+
+#[test]
+fn edits_that_cannot_be_kept_are_told_once() {
+    let setting = Setting { autosave: Some(Duration::from_millis(5)), full: true, ..HEALTHY };
+    let (_, notes) = run(setting, |mail| {
+        type_keys(&mail, "e");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(150));
+            type_keys(&mail, "q");
+        });
+    });
+    let told = "trouble: unsaved edits could not be kept in the recovery file: no room";
+    assert_eq!(notes, ["size 20x4", "frame", "key e", "recover edited", told]);
+}

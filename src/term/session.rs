@@ -1,0 +1,121 @@
+//! The real terminal, its threads and the loop, put together.
+
+use super::error::TermError;
+use super::events::{self, Event, Mail};
+use super::guard::{self, Guard};
+use super::painter::{Charset, Painter};
+use super::panic::Hook;
+use super::program::{Host, Program};
+use super::rescue::Rescue;
+use super::run::{Ending, Loop, Stage};
+use super::signals::suspend;
+use super::{hangup, input, signals, tty};
+use std::io::{self, IsTerminal};
+use std::sync::Arc;
+use std::sync::mpsc::Receiver;
+use std::time::Duration;
+
+/// How a session runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// What the terminal takes.
+    pub charset: Charset,
+    /// How long edits may stay out of the recovery file; `None` keeps them only at the end.
+    pub autosave: Option<Duration>,
+}
+
+impl Default for Options {
+    /// UTF-8, edits kept after five seconds.
+    fn default() -> Options {
+        Options { charset: Charset::Utf8, autosave: Some(Duration::from_secs(5)) }
+    }
+}
+
+/// An interactive session on this process's terminal. One at a time.
+#[derive(Debug)]
+pub struct Session {
+    mail: Mail,
+    events: Receiver<Event>,
+    options: Options,
+}
+
+impl Session {
+    /// Checks that there is a terminal; nothing is changed on it yet.
+    pub fn open(options: Options) -> Result<Session, TermError> {
+        if !io::stdin().is_terminal() {
+            return Err(TermError::NoTerminal("standard input"));
+        }
+        if !io::stdout().is_terminal() {
+            return Err(TermError::NoTerminal("standard output"));
+        }
+        let (mail, events) = events::open();
+        Ok(Session { mail, events, options })
+    }
+
+    /// A way for worker threads to send messages to the program.
+    pub fn mail(&self) -> Mail {
+        self.mail.clone()
+    }
+
+    /// Runs the program until it quits or its terminal is gone. The terminal is as before when this
+    /// returns, and also when it does not: on a panic or a signal.
+    pub fn run<P: Program>(
+        self,
+        program: &mut P,
+        host: Arc<dyn Host>,
+    ) -> Result<Ending, TermError> {
+        let Session { mail, events, options } = self;
+        let rescue = Arc::new(Rescue::new(Arc::clone(&host)));
+        // From here on a signal finds somebody who restores the terminal.
+        signals::start(mail.clone(), Arc::clone(&rescue)).map_err(TermError::Setup)?;
+        let hook = Hook::install(mail.clone(), Arc::clone(&rescue));
+        let guard = Guard::take().map_err(TermError::Setup)?;
+        hangup::start(mail.clone()).map_err(TermError::Setup)?;
+        input::start(mail).map_err(TermError::Setup)?;
+        let (ending, _meter) = Loop {
+            program,
+            stage: Tty,
+            host,
+            rescue: Arc::clone(&rescue),
+            events,
+            painter: Painter::new(options.charset),
+            autosave: options.autosave,
+            size: (0, 0),
+            unkept_since: None,
+            away: false,
+            redraw: true,
+            ending: None,
+        }
+        .run();
+        rescue.end();
+        drop(guard);
+        drop(hook);
+        Ok(ending)
+    }
+}
+
+/// The process's own terminal.
+struct Tty;
+
+impl Stage for Tty {
+    fn size(&self) -> (u16, u16) {
+        tty::size()
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        tty::write_all(bytes)
+    }
+
+    fn take(&mut self) -> io::Result<()> {
+        guard::take()
+    }
+
+    fn suspend(&mut self, group: bool) -> bool {
+        if !suspend::possible() {
+            return false;
+        }
+        guard::restore();
+        suspend::stop(group);
+        true
+    }
+}

@@ -1,0 +1,124 @@
+//! The signal thread: turns signals into events, and sees the program off when the loop cannot.
+
+use super::events::Mail;
+use super::rescue::Rescue;
+use std::io;
+use std::sync::Arc;
+
+/// Starts the thread.
+#[cfg(unix)]
+pub(super) fn start(mail: Mail, rescue: Arc<Rescue>) -> io::Result<()> {
+    use super::events::Event;
+    use crate::app::message::Message;
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+    use signal_hook::iterator::Signals;
+    use std::thread;
+
+    let mut signals = Signals::new([SIGHUP, SIGTERM, SIGINT, SIGQUIT, SIGTSTP, SIGCONT])?;
+    thread::Builder::new().name("signals".to_owned()).spawn(move || {
+        let mut ending = false;
+        for signal in signals.forever() {
+            match signal {
+                SIGTSTP if suspend::is_own() => {}
+                SIGTSTP => {
+                    mail.event(Event::Stop);
+                }
+                SIGCONT => {
+                    mail.event(Event::Continue);
+                }
+                // The loop is over and the process is about to end; it may do so at once.
+                signal if rescue.is_over() => {
+                    let _ = signal_hook::low_level::emulate_default_handler(signal);
+                }
+                _ => {
+                    mail.send(Message::HangUp);
+                    if !ending {
+                        ending = true;
+                        see_off(Arc::clone(&rescue));
+                    }
+                }
+            }
+        }
+    })?;
+    Ok(())
+}
+
+/// No signals here.
+#[cfg(not(unix))]
+pub(super) fn start(_mail: Mail, _rescue: Arc<Rescue>) -> io::Result<()> {
+    Ok(())
+}
+
+/// Ends the process when the loop has not done so in good time: it may be waiting for a terminal that
+/// takes no more output, or for a disk.
+#[cfg(unix)]
+fn see_off(rescue: Arc<Rescue>) {
+    use super::guard;
+    use std::time::Duration;
+    use std::{process, thread};
+
+    /// Time for the loop to end by itself.
+    const GRACE: Duration = Duration::from_secs(5);
+    /// Time for the terminal to take the few bytes that restore it.
+    const FAREWELL: Duration = Duration::from_millis(300);
+
+    // Without this thread the loop still ends, if it can.
+    let _ = thread::Builder::new().name("see-off".to_owned()).spawn(move || {
+        thread::sleep(GRACE);
+        if rescue.is_over() {
+            return;
+        }
+        // A failure has nowhere to be shown: the terminal is stuck or gone.
+        let _ = rescue.keep();
+        let _ = thread::Builder::new().spawn(guard::restore);
+        thread::sleep(FAREWELL);
+        process::exit(1);
+    });
+}
+
+/// Stopping and being continued.
+#[cfg(unix)]
+pub(super) mod suspend {
+    use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
+    use signal_hook::consts::SIGSTOP;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    /// A SIGTSTP that this program sent to its own group is on its way.
+    static OWN: AtomicBool = AtomicBool::new(false);
+
+    pub(super) fn is_own() -> bool {
+        OWN.swap(false, Ordering::SeqCst)
+    }
+
+    /// Whether a shell is there to continue us. The shell that started the session gives each job a
+    /// group of its own; a program in the group of the session's leader is nobody's job, and stopped
+    /// it would stay so.
+    pub(in crate::term) fn possible() -> bool {
+        getsid(None).is_ok_and(|session| session != getpgrp())
+    }
+
+    /// Stops the process, and with `group` what was started with it, such as a `cargo run` around it:
+    /// the shell waits for all of them. Returns when continued.
+    pub(in crate::term) fn stop(group: bool) {
+        if group {
+            OWN.store(true, Ordering::SeqCst);
+            if kill_current_process_group(Signal::TSTP).is_err() {
+                OWN.store(false, Ordering::SeqCst);
+            }
+        }
+        // Cannot fail: the signal exists and a process may stop itself.
+        let _ = signal_hook::low_level::raise(SIGSTOP);
+    }
+}
+
+/// No job control here.
+#[cfg(not(unix))]
+pub(super) mod suspend {
+    /// Never.
+    pub(in crate::term) fn possible() -> bool {
+        false
+    }
+
+    /// Does nothing.
+    pub(in crate::term) fn stop(_group: bool) {}
+}

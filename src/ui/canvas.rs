@@ -1,0 +1,152 @@
+//! A grid of dots finer than characters, for curves and plans: braille, half blocks or plain ASCII.
+
+use crate::app::look::Glyphs;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+/// How a line is drawn, so that lines differ without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// Every dot.
+    Solid,
+    /// So many dots drawn, so many left out.
+    Dashed(u16, u16),
+}
+
+impl Pattern {
+    fn draws(self, count: u32) -> bool {
+        match self {
+            Pattern::Solid => true,
+            Pattern::Dashed(on, off) => count % u32::from(on + off) < u32::from(on),
+        }
+    }
+}
+
+/// A pen: style, pattern, and the character that stands for it in plain ASCII.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pen {
+    /// Style of the characters drawn.
+    pub style: Style,
+    /// Which dots are drawn.
+    pub pattern: Pattern,
+    /// The character in ASCII; `None` picks one by the height of the dots within it.
+    pub ascii: Option<char>,
+}
+
+/// A grid of dots over an area of the screen.
+pub struct Canvas {
+    area: Rect,
+    glyphs: Glyphs,
+    cells: Vec<Option<(u8, Pen)>>,
+}
+
+/// Bit of each dot of a braille character, by column and row.
+const BRAILLE: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
+
+impl Canvas {
+    /// An empty grid over an area.
+    pub fn new(area: Rect, glyphs: Glyphs) -> Canvas {
+        Canvas {
+            area,
+            glyphs,
+            cells: vec![None; usize::from(area.width) * usize::from(area.height)],
+        }
+    }
+
+    /// Dots of a character, across and down.
+    fn resolution(&self) -> (i32, i32) {
+        match self.glyphs {
+            Glyphs::Braille => (2, 4),
+            Glyphs::Block => (1, 2),
+            Glyphs::Ascii => (1, 3),
+        }
+    }
+
+    /// Dots of the whole grid, across and down.
+    pub fn dots(&self) -> (i32, i32) {
+        let (x, y) = self.resolution();
+        (i32::from(self.area.width) * x, i32::from(self.area.height) * y)
+    }
+
+    /// Sets a dot; (0, 0) is the top left one. Dots outside the grid are left out.
+    pub fn dot(&mut self, x: i32, y: i32, pen: Pen) {
+        let (width, height) = self.dots();
+        if x < 0 || y < 0 || x >= width || y >= height {
+            return;
+        }
+        let (rx, ry) = self.resolution();
+        let bit = match self.glyphs {
+            Glyphs::Braille => BRAILLE[(x % rx) as usize][(y % ry) as usize],
+            _ => 1 << (y % ry),
+        };
+        let cell =
+            &mut self.cells[(y / ry) as usize * usize::from(self.area.width) + (x / rx) as usize];
+        // The pen drawn last owns the character. Braille keeps the dots of others in it; in ASCII they
+        // would pick a sign that belongs to neither.
+        let bits = match cell {
+            Some((_, other)) if self.glyphs == Glyphs::Ascii && *other != pen => 0,
+            Some((bits, _)) => *bits,
+            None => 0,
+        };
+        *cell = Some((bits | bit, pen));
+    }
+
+    /// Draws a line through points in dots (fractions allowed), the pattern running along it.
+    pub fn line(&mut self, points: impl IntoIterator<Item = (f64, f64)>, pen: Pen) {
+        let mut count = 0;
+        let mut last: Option<(f64, f64)> = None;
+        for (x, y) in points {
+            if !(x.is_finite() && y.is_finite()) {
+                last = None;
+                continue;
+            }
+            let Some((x0, y0)) = last.replace((x, y)) else { continue };
+            let steps = (x - x0).abs().max((y - y0).abs()).ceil().clamp(1.0, 10_000.0) as i32;
+            for i in 0..steps {
+                let t = f64::from(i) / f64::from(steps);
+                if pen.pattern.draws(count) {
+                    self.dot(
+                        (x0 + t * (x - x0)).floor() as i32,
+                        (y0 + t * (y - y0)).floor() as i32,
+                        pen,
+                    );
+                }
+                count += 1;
+            }
+        }
+        if let Some((x, y)) = last
+            && pen.pattern.draws(count)
+        {
+            self.dot(x.floor() as i32, y.floor() as i32, pen);
+        }
+    }
+
+    /// Puts the drawn characters on the screen; empty ones leave it as it is.
+    pub fn show(&self, buf: &mut Buffer) {
+        for (i, cell) in self.cells.iter().enumerate() {
+            let Some((bits, pen)) = cell else { continue };
+            let x = self.area.x + (i % usize::from(self.area.width)) as u16;
+            let y = self.area.y + (i / usize::from(self.area.width)) as u16;
+            let sign = match self.glyphs {
+                // U+2800 with eight dot bits is always a character.
+                Glyphs::Braille => char::from_u32(0x2800 + u32::from(*bits)).unwrap_or(' '),
+                Glyphs::Block => match bits {
+                    0b01 => '▀',
+                    0b10 => '▄',
+                    _ => '█',
+                },
+                Glyphs::Ascii => pen.ascii.unwrap_or(match bits {
+                    0b001 => '\'',
+                    0b010 => '-',
+                    0b100 => '.',
+                    0b011 | 0b110 => '/',
+                    _ => '|',
+                }),
+            };
+            if let Some(target) = buf.cell_mut((x, y)) {
+                target.set_char(sign).set_style(pen.style);
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The top line and the bottom line: title; message, prompt or the most important keys.
+
+use super::inputs::typed_text;
+use super::text::{cut, put, put_right, width};
+use super::theme::Theme;
+use crate::app::entry::{Entry, Target};
+use crate::app::keymap;
+use crate::app::{App, Level, Mode};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Draws the title: program, file with a star for unsaved edits, mesh.
+pub fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    let file = match app.path() {
+        Some(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+        None => "not saved to a file".to_string(),
+    };
+    let star = if app.edited() { " *" } else { "" };
+    let mesh =
+        app.result().mesh.as_ref().map_or(app.layout().mesh.clone(), |m| m.title().to_string());
+    let room = usize::from(row.width);
+    let left = format!(" meshcast  {}{star}", cut(&file, room / 3));
+    let end = put(buf, row, 0, 0, &left, theme.title);
+    let right = cut(&mesh, room.saturating_sub(usize::from(end) + 3));
+    let row = Rect { width: row.width.saturating_sub(1), ..row };
+    put_right(buf, row, 0, &right, theme.text);
+}
+
+/// Draws the bottom line.
+pub fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    if let Mode::Entry(entry) = app.mode() {
+        return prompt(app, entry, row, buf, theme);
+    }
+    if let Some(status) = app.status() {
+        let style = match status.level {
+            Level::Info => theme.title,
+            Level::Error => theme.error,
+        };
+        let text = match status.level {
+            Level::Info => format!(" {}", status.text),
+            Level::Error => format!(" ! {}", status.text),
+        };
+        put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), style);
+        return;
+    }
+    hints(app, row, buf, theme);
+}
+
+/// As many hints of the key map as fit, the most important first.
+fn hints(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    let Some(context) = app.context() else { return };
+    let mut column = 1;
+    for binding in keymap::of(context) {
+        let Some(word) = binding.hint else { continue };
+        let key = binding.keys[0].to_string();
+        let key = if word == "step" { "arrows".to_string() } else { key };
+        if column + width(&key) + 1 + width(word) > row.width {
+            break;
+        }
+        column = put(buf, row, 0, column, &key, theme.key);
+        column = put(buf, row, 0, column + 1, word, theme.text) + 2;
+    }
+}
+
+/// The line of text being typed, or for a value its range and what was wrong.
+fn prompt(app: &App, entry: &Entry, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    if let Some(error) = &entry.error {
+        // A refused command or name still shows its text: the reason stands before it.
+        let text = format!(" ! {error} ");
+        let room = match entry.target {
+            Target::Value(_) => usize::from(row.width),
+            _ => usize::from(row.width) * 2 / 3,
+        };
+        let end = put(buf, row, 0, 0, &cut(&text, room), theme.error);
+        if !matches!(entry.target, Target::Value(_)) {
+            let rest = Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row };
+            typed_text(entry, rest, buf, theme);
+        }
+        return;
+    }
+    match entry.target {
+        Target::Value(field) => {
+            let text = format!(
+                " {}: {}; Enter takes, Esc drops",
+                field.phrase(),
+                field.allowed(app.layout(), app.units())
+            );
+            put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), theme.text);
+        }
+        target => {
+            let prompt = match target {
+                Target::Command => " :".to_string(),
+                _ => format!(" {}: ", target.prompt()),
+            };
+            let end = put(buf, row, 0, 0, &prompt, theme.key);
+            typed_text(
+                entry,
+                Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row },
+                buf,
+                theme,
+            );
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The inputs of the selected layout with units, marks and ranges; the one being typed in place.
+
+use super::layouts::first_shown;
+use super::text::{below, heading, put, put_right};
+use super::theme::Theme;
+use crate::app::entry::{Entry, Target};
+use crate::app::field::Field;
+use crate::app::{App, Mode};
+use crate::units::length_entry;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns from which a range fits beside each value.
+const WITH_RANGES: u16 = 38;
+
+/// Draws the inputs with their heading; the last row is the range of the selected one.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    heading(buf, area, "inputs", "", theme);
+    draw_rows(app, below(area, 1), buf, theme);
+}
+
+/// The same without the heading, for small screens.
+pub fn draw_rows(app: &App, list: Rect, buf: &mut Buffer, theme: &Theme) {
+    let rows = usize::from(list.height.saturating_sub(1));
+    let at = Field::ALL.iter().position(|f| *f == app.field()).unwrap_or(0);
+    let first = first_shown(at, rows, Field::ALL.len());
+    for (row, field) in Field::ALL[first..].iter().take(rows).enumerate() {
+        line(app, *field, list, row as u16, buf, theme);
+    }
+    let range = range_line(app);
+    put(buf, list, list.height.saturating_sub(1), 0, &range, theme.heading);
+}
+
+/// One input: `>L  spacing     3.00 m`.
+fn line(app: &App, field: Field, list: Rect, row: u16, buf: &mut Buffer, theme: &Theme) {
+    let selected = field == app.field();
+    let unit = field.unit(app.units());
+    let value = field.get(app.layout());
+    let sign = if selected { ">" } else { " " };
+    let style = if selected { theme.title } else { theme.text };
+    put(buf, list, row, 0, &format!("{sign}{:<2} {}", field.symbol(), field.words()), style);
+
+    let column = 13.min(list.width);
+    let typed = match app.mode() {
+        Mode::Entry(entry) if selected && entry.target == Target::Value(field) => Some(entry),
+        _ => None,
+    };
+    if let Some(entry) = typed {
+        typing(entry, list, row, column, buf, theme);
+        return;
+    }
+    let text = value.map_or("-".to_string(), |v| field.entry_text(v, app.units()));
+    let outside = value.is_some_and(|v| field.published().is_some_and(|range| !range.holds(v)));
+    let mark = if outside { "!" } else { " " };
+    let shown = format!("{text:>8}");
+    let end =
+        put(buf, list, row, column, &shown, if selected { theme.selected } else { theme.text });
+    put(buf, list, row, end + 1, unit, theme.text);
+    put(buf, list, row, end + 3, mark, theme.caution);
+    if list.width >= WITH_RANGES {
+        put_right(buf, list, row, &short_range(app, field), theme.heading);
+    }
+}
+
+/// The text being typed, with its cursor.
+fn typing(entry: &Entry, list: Rect, row: u16, column: u16, buf: &mut Buffer, theme: &Theme) {
+    let room = usize::from(list.width.saturating_sub(column)).max(4);
+    typed_text(
+        entry,
+        Rect { x: list.x + column, y: list.y + row, width: room as u16, height: 1 },
+        buf,
+        theme,
+    );
+}
+
+/// A line of typed text with its cursor in a row of the screen; long text scrolls with the cursor.
+pub fn typed_text(entry: &Entry, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    let room = usize::from(row.width);
+    let chars: Vec<char> = entry.text().chars().collect();
+    let cursor = entry.cursor().min(chars.len());
+    let first = (cursor + 1).saturating_sub(room);
+    let blank = " ".repeat(room);
+    let style = theme.text.add_modifier(ratatui::style::Modifier::UNDERLINED);
+    put(buf, row, 0, 0, &blank, style);
+    let mut column = 0;
+    for (i, c) in chars.iter().enumerate().skip(first) {
+        let style = if i == cursor { theme.selected } else { style };
+        column = put(buf, row, 0, column, &c.to_string(), style);
+    }
+    if cursor == chars.len() {
+        put(buf, row, 0, column, " ", theme.selected);
+    }
+}
+
+/// The published range of an input as `0.16-0.48`, or the cell for an offset.
+fn short_range(app: &App, field: Field) -> String {
+    let m = |v: f64| length_entry(v, app.units());
+    match (field.published(), field) {
+        (Some(range), _) => format!("{}..{}", m(range.min), m(range.max)),
+        (None, Field::Ex | Field::Ey) => format!("+-{}", m(app.layout().spacing / 2.0)),
+        _ => String::new(),
+    }
+}
+
+/// The range of the selected input in words.
+pub fn range_line(app: &App) -> String {
+    let field = app.field();
+    match field.published() {
+        Some(range) => format!(
+            " published {} to {} {}",
+            length_entry(range.min, app.units()),
+            length_entry(range.max, app.units()),
+            app.units().symbol()
+        ),
+        None => format!(" {}", field.allowed(app.layout(), app.units())),
+    }
+}

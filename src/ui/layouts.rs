@@ -1,0 +1,56 @@
+//! The list of layouts with the force of each.
+
+use super::chart::overlay_letter;
+use super::text::{below, cut, heading, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::app::derived::Derived;
+use crate::forecast::warning::Weight;
+use crate::units::{significant, to_kn};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Draws the list with its heading; it scrolls so that the selected layout is seen.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let layouts = &app.project().layouts;
+    let title = if layouts.len() > usize::from(area.height.saturating_sub(1)) {
+        format!("layouts {}/{}", app.selected() + 1, layouts.len())
+    } else {
+        "layouts".to_string()
+    };
+    heading(buf, area, &title, "F_a kN", theme);
+    let list = below(area, 1);
+    let rows = usize::from(list.height);
+    let first = first_shown(app.selected(), rows, layouts.len());
+    for (row, index) in (first..layouts.len()).take(rows).enumerate() {
+        let selected = index == app.selected();
+        let sign = if selected { ">" } else { " " };
+        let letter = overlay_letter(app, index).unwrap_or(' ');
+        let room = usize::from(list.width).saturating_sub(11);
+        let (value, mark) = force(&app.results()[index]);
+        let name = cut(&layouts[index].name, room);
+        let used = unicode_width::UnicodeWidthStr::width(name.as_str());
+        let line = format!(
+            "{sign}{letter}{name}{} {value:>6} {mark}",
+            " ".repeat(room.saturating_sub(used))
+        );
+        put(buf, list, row as u16, 0, &line, if selected { theme.selected } else { theme.text });
+    }
+}
+
+/// First entry shown of a list so that the selected one is seen, near the middle.
+pub fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
+    selected.saturating_sub(rows / 2).min(count.saturating_sub(rows))
+}
+
+/// The force of a layout and the mark of its warnings.
+fn force(result: &Derived) -> (String, &'static str) {
+    let Some(forecast) = result.forecast() else { return ("error".into(), "!") };
+    let weight = forecast.warnings.iter().map(|w| w.weight()).max();
+    let mark = if weight >= Some(Weight::Caution) { "!" } else { " " };
+    let value = match &forecast.field {
+        Some(field) => significant(to_kn(field.values.force), 3),
+        None => "plate".into(),
+    };
+    (value, mark)
+}

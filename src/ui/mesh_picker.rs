@@ -1,0 +1,69 @@
+//! The list of meshes to choose from, with the record of the marked one.
+
+use super::layouts::first_shown;
+use super::text::{clear, cut, heading, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::units::{force_text, length_text};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Rows of the record below the list.
+const RECORD: u16 = 8;
+
+/// Draws the list over the whole area.
+pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    clear(buf, area);
+    let meshes = app.meshes();
+    heading(buf, area, "mesh of this layout", &format!("{} of {}", index + 1, meshes.len()), theme);
+    let record = RECORD.min(area.height / 2);
+    let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1 + record), ..area };
+    let rows = usize::from(list.height);
+    let first = first_shown(index, rows, meshes.len());
+    for (row, i) in (first..meshes.len()).take(rows).enumerate() {
+        let mesh = &meshes[i].mesh;
+        let sign = if i == index { ">" } else { " " };
+        let used = if mesh.id == app.layout().mesh { "*" } else { " " };
+        let inline = if meshes[i].inline { " (in this project)" } else { "" };
+        let text = format!(
+            " {sign}{used} {:<16} {:>9} {:>8}  {}{inline}",
+            mesh.id,
+            force_text(mesh.laboratory.force),
+            length_text(mesh.laboratory.deflection, app.units()),
+            mesh.title()
+        );
+        let style = if i == index { theme.selected } else { theme.text };
+        put(buf, list, row as u16, 0, &cut(&text, usize::from(list.width)), style);
+    }
+    let Some(choice) = meshes.get(index) else { return };
+    let below = Rect { y: list.bottom(), height: record, ..area };
+    heading(buf, below, "its record", "", theme);
+    let lab = &choice.mesh.laboratory;
+    let mut lines = vec![
+        format!(
+            "punch test {} at {}, {}; panel {}, punch {}",
+            force_text(lab.force),
+            length_text(lab.deflection, app.units()),
+            lab.statistic.word(),
+            length_text(lab.panel, app.units()),
+            length_text(lab.punch, app.units())
+        ),
+        format!("standard: {}", if lab.standard.is_empty() { "not stated" } else { &lab.standard }),
+    ];
+    lines.push(match &choice.mesh.ratios {
+        Some(r) => format!(
+            "its own ratios: alpha_F {:.3}, alpha_delta {:.3}; {}",
+            r.force, r.deflection, r.source
+        ),
+        None if choice.mesh.reference => {
+            "the mesh of the paper: the default ratios are its own".into()
+        }
+        None => "no ratios of its own: the reference's are assumed, with a warning".into(),
+    });
+    lines.push(format!("source: {}", lab.source));
+    let columns = usize::from(below.width.saturating_sub(3)).max(10);
+    let wrapped = lines.iter().flat_map(|line| textwrap::wrap(line, columns));
+    for (row, line) in wrapped.take(usize::from(below.height.saturating_sub(1))).enumerate() {
+        put(buf, below, 1 + row as u16, 2, &line, theme.text);
+    }
+}

@@ -1,0 +1,101 @@
+//! The cell from above: anchor plates and punch to scale, and the direction of the net.
+
+use super::canvas::{Canvas, Pattern, Pen};
+use super::text::{below, heading, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::app::look::Glyphs;
+use crate::layout::Layout;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use std::f64::consts::TAU;
+
+/// Draws the plan with its heading. x runs to the right, y up, along the twists.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    heading(buf, area, "cell, twists || y", "", theme);
+    let room = below(area, 1);
+    if room.height < 3 || room.width < 10 {
+        return;
+    }
+    // A character is about twice as high as wide.
+    let rows = room.height.min((room.width - 5) / 2);
+    let plan = Rect { x: room.x + 1, y: room.y, width: rows * 2, height: rows };
+    let mut canvas = Canvas::new(plan, theme.glyphs);
+    let layout = app.layout().layout();
+    let view = View::of(&layout, &canvas);
+    punch(&layout, &view, &mut canvas, theme);
+    plates(&layout, &view, &mut canvas, theme);
+    canvas.show(buf);
+    let side =
+        Rect { x: plan.right() + 1, width: room.right().saturating_sub(plan.right() + 1), ..room };
+    let (up, right) = match theme.glyphs {
+        Glyphs::Ascii => ("^", "+->x"),
+        _ => ("↑", "└─→x"),
+    };
+    let bottom = rows.saturating_sub(1);
+    put(buf, side, bottom, 0, right, theme.heading);
+    put(buf, side, bottom.saturating_sub(1), 0, up, theme.heading);
+    put(buf, side, bottom.saturating_sub(2), 0, "y", theme.heading);
+}
+
+/// World to dots: the whole cell with its plates.
+struct View {
+    reach: f64,
+    width: f64,
+    height: f64,
+}
+
+impl View {
+    fn of(layout: &Layout, canvas: &Canvas) -> View {
+        let (w, h) = canvas.dots();
+        View { reach: layout.spacing + layout.plate, width: f64::from(w), height: f64::from(h) }
+    }
+
+    fn dot(&self, x: f64, y: f64) -> (f64, f64) {
+        let half = self.reach / 2.0;
+        ((x + half) / self.reach * self.width, (half - y) / self.reach * self.height)
+    }
+}
+
+/// The plates fill the view's corners: it reaches from the outer edge of one to that of the next.
+fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
+    let pen = Pen { style: theme.title, pattern: Pattern::Solid, ascii: Some('#') };
+    let part = layout.plate / view.reach;
+    let (width, height) = canvas.dots();
+    // A plate smaller than a dot is still one dot; in ASCII a sign is three dots high.
+    let size = |dots: i32| (part * f64::from(dots)).round().max(1.0) as i32;
+    let (w, h) = (size(width), size(height));
+    for x0 in [0, width - w] {
+        for y0 in [0, height - h] {
+            for y in y0..y0 + h {
+                for x in x0..x0 + w {
+                    canvas.dot(x, y, pen);
+                }
+            }
+        }
+    }
+}
+
+/// The outline of the punch and of its images in the neighbouring cells, and its centre.
+fn punch(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
+    let outline = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: Some('o') };
+    let (ex, ey) = layout.folded();
+    let radius = layout.punch / 2.0;
+    let reach = view.reach / 2.0;
+    for ix in -1..=1 {
+        for iy in -1..=1 {
+            let (cx, cy) =
+                (ex + f64::from(ix) * layout.spacing, ey + f64::from(iy) * layout.spacing);
+            if cx.abs() - radius > reach || cy.abs() - radius > reach {
+                continue;
+            }
+            let circle = (0..=64).map(|i| {
+                let angle = TAU * f64::from(i) / 64.0;
+                view.dot(cx + radius * angle.cos(), cy + radius * angle.sin())
+            });
+            canvas.line(circle, outline);
+            let (x, y) = view.dot(cx, cy);
+            canvas.dot(x.floor() as i32, y.floor() as i32, Pen { ascii: Some('+'), ..outline });
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Styles by meaning. Colour is never the only sign: each style also differs by weight, reverse or a
+//! letter, so the same screen reads without it.
+
+use crate::app::look::{ColorMode, Glyphs, Look};
+use ratatui::style::{Color, Modifier, Style};
+
+/// The styles of a look.
+#[derive(Debug, Clone, Copy)]
+pub struct Theme {
+    /// Ordinary text.
+    pub text: Style,
+    /// Headings and rules.
+    pub heading: Style,
+    /// The title line.
+    pub title: Style,
+    /// What is selected.
+    pub selected: Style,
+    /// The selected layout's curve and its answer.
+    pub forecast: Style,
+    /// Overlaid curves.
+    pub overlay: Style,
+    /// The laboratory curve.
+    pub laboratory: Style,
+    /// Design lines.
+    pub design: Style,
+    /// What to distrust.
+    pub caution: Style,
+    /// What was refused.
+    pub error: Style,
+    /// A key in the hint bar.
+    pub key: Style,
+    /// Signs for charts and rules.
+    pub glyphs: Glyphs,
+}
+
+impl Theme {
+    /// The theme of a look.
+    pub fn new(look: Look) -> Theme {
+        let plain = Style::new();
+        let bold = plain.add_modifier(Modifier::BOLD);
+        let reverse = plain.add_modifier(Modifier::REVERSED);
+        let colored = |style: Style, color: Color| match look.color {
+            ColorMode::Basic16 => style.fg(color),
+            ColorMode::None => style,
+        };
+        Theme {
+            text: plain,
+            heading: colored(plain, Color::Cyan),
+            title: bold,
+            selected: reverse,
+            forecast: colored(bold, Color::Blue),
+            overlay: colored(plain, Color::Magenta),
+            laboratory: plain,
+            design: colored(plain, Color::Yellow),
+            caution: colored(bold, Color::Yellow),
+            error: colored(reverse, Color::Red),
+            key: bold,
+            glyphs: look.glyphs,
+        }
+    }
+
+    /// The sign that rules are drawn with.
+    pub fn rule(&self) -> &'static str {
+        match self.glyphs {
+            Glyphs::Ascii => "-",
+            _ => "─",
+        }
+    }
+
+    /// The sign of a vertical axis.
+    pub fn upright(&self) -> &'static str {
+        match self.glyphs {
+            Glyphs::Ascii => "|",
+            _ => "│",
+        }
+    }
+
+    /// The sign where both axes meet.
+    pub fn corner(&self) -> &'static str {
+        match self.glyphs {
+            Glyphs::Ascii => "+",
+            _ => "└",
+        }
+    }
+}

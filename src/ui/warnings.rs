@@ -1,0 +1,53 @@
+//! On wide screens: the warnings in whole sentences, and points of the curve.
+
+use super::text::{below, heading, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::units::{length_text, significant, to_kn};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Draws the warnings, as many lines as fit.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    heading(buf, area, "to know", "", theme);
+    let list = below(area, 1);
+    let Some(forecast) = app.result().forecast() else { return };
+    let columns = usize::from(list.width.saturating_sub(2)).max(10);
+    let options = textwrap::Options::new(columns).subsequent_indent("  ");
+    let mut texts: Vec<String> =
+        forecast.warnings.iter().map(|w| format!("! {}", w.message())).collect();
+    if texts.is_empty() {
+        texts.push("All inputs are inside the published ranges.".into());
+    }
+    texts.push("Lower bound: a block in every cell; each anchor carries the force of its whole cell. Square anchor grid, twists down the slope.".into());
+    let lines = texts.iter().flat_map(|t| textwrap::wrap(t, options.clone()));
+    for (row, line) in lines.take(usize::from(list.height)).enumerate() {
+        put(buf, list, row as u16, 1, &line, theme.text);
+    }
+}
+
+/// Columns of the table along the curve.
+pub const TABLE: u16 = 48;
+
+/// Draws force, stiffness and energy at parts of the failure deflection.
+pub fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    heading(buf, area, "along the curve", "", theme);
+    let list = below(area, 1);
+    let Some(field) = app.result().forecast().and_then(|f| f.field) else { return };
+    let header = "delta      F kN    tangent     secant  energy";
+    put(buf, list, 0, 1, header, theme.heading);
+    put(buf, list, 1, 1, "                       kN/m       kN/m      kJ", theme.heading);
+    for (row, percent) in [25, 50, 75, 90, 100].into_iter().enumerate() {
+        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        let number = |newton: f64| significant(to_kn(newton), 3);
+        let text = format!(
+            "{:<8} {:>6} {:>10} {:>10} {:>7}",
+            length_text(delta, app.units()),
+            number(field.force_at(delta)),
+            number(field.tangent_at(delta)),
+            number(field.secant_at(delta)),
+            number(field.energy_to(delta)),
+        );
+        put(buf, list, row as u16 + 2, 1, &text, theme.text);
+    }
+}

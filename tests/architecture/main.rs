@@ -1,0 +1,121 @@
+//! The house: which room may talk to which, and what a room may touch. Read from the source, because
+//! nothing else would notice.
+
+mod source;
+
+use source::{SourceFile, files};
+
+/// Rooms on the ground, which everyone may use.
+const GROUND: &[&str] = &["curve", "fingerprint", "layout", "mesh", "problem", "units"];
+
+/// Rooms from the ground up, each with the rooms it may use. A room that does not exist yet is no
+/// fault; a room that is missing here is one, because somebody has to say what it may use.
+const ROOMS: &[(&str, &[&[&str]])] = &[
+    ("units", &[]),
+    ("problem", &[]),
+    ("fingerprint", &[]),
+    ("curve", &[]),
+    ("layout", &[&["problem", "units"]]),
+    ("mesh", &[&["problem", "units"]]),
+    ("forecast", &[GROUND]),
+    ("dem", &[GROUND]),
+    ("study", &[GROUND, &["dem", "forecast"]]),
+    ("project", &[GROUND]),
+    ("export", &[GROUND, &["dem", "forecast", "project", "study"]]),
+    ("job", &[GROUND, &["dem", "forecast", "study"]]),
+    ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "study"]]),
+    ("ui", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study"]]),
+    ("term", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study", "ui"]]),
+    ("cli", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study", "term"]]),
+];
+
+/// Longest file, lines.
+const LONGEST_FILE: usize = 600;
+
+/// Macros that print.
+const PRINTING: &[&str] = &["println!", "eprintln!", "print!", "eprint!", "dbg!"];
+
+/// Fails with everything that was found, so that one run shows all.
+fn none(found: Vec<String>) {
+    assert!(found.is_empty(), "\n{}\n", found.join("\n"));
+}
+
+fn rooms(names: &[&str]) -> Vec<SourceFile> {
+    files().into_iter().filter(|f| names.contains(&f.room.as_str())).collect()
+}
+
+fn may_use(room: &str) -> Option<Vec<&'static str>> {
+    ROOMS.iter().find(|(name, _)| *name == room).map(|(_, allowed)| allowed.concat())
+}
+
+#[test]
+fn the_source_is_found_and_every_room_has_its_place() {
+    let all = files();
+    assert!(all.len() > 20, "only {} files were read", all.len());
+    none(
+        all.iter()
+            .filter(|f| !["main", "lib", "build"].contains(&f.room.as_str()))
+            .filter(|f| may_use(&f.room).is_none())
+            .map(|f| format!("{}: say in tests/architecture what this room may use", f.path))
+            .collect(),
+    );
+}
+
+#[test]
+fn arrows_run_one_way() {
+    let mut found = Vec::new();
+    for file in files() {
+        let Some(allowed) = may_use(&file.room) else { continue };
+        for used in file.rooms_used() {
+            let is_room = may_use(&used).is_some();
+            if is_room && used != file.room && !allowed.contains(&used.as_str()) {
+                found.push(format!("{}: `{}` may not use `{used}`", file.path, file.room));
+            }
+        }
+    }
+    none(found);
+}
+
+#[test]
+fn only_ui_and_term_name_a_terminal_crate() {
+    let elsewhere = files().into_iter().filter(|f| !["ui", "term"].contains(&f.room.as_str()));
+    none(elsewhere.flat_map(|f| f.lines_with_a_word(&["ratatui", "crossterm"])).collect());
+}
+
+fn uses_of_std(file: &SourceFile, modules: &[&str]) -> Vec<String> {
+    let used = modules.iter().filter(|module| file.uses_std(module));
+    used.map(|module| format!("{}: uses std::{module}", file.path)).collect()
+}
+
+#[test]
+fn forecast_and_dem_read_no_file_and_no_clock_and_start_no_thread() {
+    let mut found = Vec::new();
+    for file in rooms(&["forecast", "dem"]) {
+        found.extend(uses_of_std(&file, &["fs", "time", "thread", "env", "net", "process", "io"]));
+        found.extend(file.lines_with_a_word(&["Instant", "SystemTime"]));
+    }
+    none(found);
+}
+
+#[test]
+fn app_does_no_input_and_no_output() {
+    let mut found = Vec::new();
+    for file in rooms(&["app"]) {
+        found.extend(uses_of_std(&file, &["fs", "io", "thread", "env", "net", "process"]));
+    }
+    none(found);
+}
+
+/// The printing macros panic when nobody reads; a user would see that.
+#[test]
+fn nothing_is_printed_by_a_macro() {
+    // The build script talks to cargo in no other way.
+    let all = files().into_iter().filter(|f| f.room != "build");
+    none(all.flat_map(|f| f.lines_with_a_word(PRINTING)).collect());
+}
+
+#[test]
+fn files_are_small() {
+    let long = files().into_iter().filter(|f| f.text.lines().count() > LONGEST_FILE);
+    none(long.map(|f| format!("{}: {} lines", f.path, f.text.lines().count())).collect());
+}

@@ -1,0 +1,63 @@
+//! The program as a whole: version, no terminal, no home, new projects.
+
+use super::{command, good, json, ran, run, shown};
+
+#[test]
+fn the_version_names_the_commit() {
+    let out = good(&["--version"]);
+    let inner = out
+        .strip_prefix(concat!("meshcast ", env!("CARGO_PKG_VERSION"), " ("))
+        .and_then(|rest| rest.strip_suffix(")\n"))
+        .unwrap_or_else(|| panic!("{out:?}"));
+    let commit = inner.len() >= 7 && inner.chars().all(|c| c.is_ascii_hexdigit());
+    assert!(commit || inner == "commit unknown", "{out:?}");
+    let stated = json(&["forecast"])["version"].as_str().unwrap().to_string();
+    assert_eq!(format!("meshcast {stated}\n"), out);
+}
+
+/// Without a terminal there is no interactive program: the headless help, and exit code 2.
+#[test]
+fn without_a_terminal_the_headless_help_is_printed() {
+    for arguments in [&[][..], &["road-cut.ron"], &["--units", "mm"], &["./forecast"]] {
+        let got = run(arguments);
+        assert_eq!((got.code, got.out.as_str()), (2, ""), "{arguments:?}");
+        assert!(got.err.contains("needs a terminal"), "{}", got.err);
+        for word in ["forecast", "mesh", "validate", "new", "Usage:"] {
+            assert!(got.err.contains(word), "{word} is missing in {}", got.err);
+        }
+    }
+}
+
+/// Every other test runs without any environment at all; this one with a home that does not exist.
+#[test]
+fn no_home_is_needed() {
+    let mut there = command(&["forecast"]);
+    there.env("HOME", "/nonexistent/home").env("XDG_DATA_HOME", "/nonexistent/data");
+    let got = ran(there.output().unwrap());
+    assert_eq!((got.code, got.err.as_str()), (0, ""));
+    assert_eq!(got.out, good(&["forecast"]));
+}
+
+#[test]
+fn a_new_project_can_be_forecast_at_once() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("gully 7.ron");
+    assert_eq!(good(&["new", shown(&path)]), format!("{}\n", path.display()));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("gully 7") && text.contains("//"), "{text}");
+    let all = json(&["forecast", shown(&path)]);
+    let alone = json(&["forecast"]);
+    assert_eq!(all[0]["field"], alone["field"]);
+    assert_eq!(all[0]["fingerprint"], alone["fingerprint"]);
+}
+
+#[test]
+fn flags_of_the_screen_are_taken_by_every_command_and_change_no_json() {
+    let plain = good(&["forecast", "--format", "json"]);
+    let before =
+        ["--color", "none", "--glyphs", "ascii", "--units", "mm", "forecast", "--format", "json"];
+    let behind =
+        ["forecast", "--format", "json", "--color", "16", "--glyphs", "braille", "--units", "m"];
+    assert_eq!(good(&before), plain);
+    assert_eq!(good(&behind), plain);
+}

@@ -1,0 +1,211 @@
+//! Trouble with the file itself, and what stands there when nothing is named.
+
+use meshcast::project::{self, Cause, Home, Overwrite};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+#[test]
+fn a_path_that_leads_nowhere_is_told_how_to_make_a_project() {
+    let dir = tempfile::tempdir().unwrap();
+    let error = project::load(&dir.path().join("my site.ron")).unwrap_err();
+    assert_eq!(error.cause, Cause::NotFound);
+    assert!(error.is_bad_input());
+    let said = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("there is no such file meshcast new '"), "{said}");
+    assert!(said.contains("my site.ron' makes a project there"), "{said}");
+}
+
+#[test]
+fn directories_large_files_and_empty_ones_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let said = |path: &Path| project::load(path).unwrap_err().to_string();
+    assert!(said(dir.path()).contains("this is a directory"));
+    let path = dir.path().join("p.ron");
+    fs::write(&path, "").unwrap();
+    assert!(said(&path).contains("the file is empty"));
+    fs::write(&path, "\u{feff} \r\n\t").unwrap();
+    assert!(said(&path).contains("the file is empty"));
+    fs::write(&path, vec![b' '; 4 * 1024 * 1024 + 1]).unwrap();
+    assert!(said(&path).contains("larger than 4 MiB"));
+    assert!(said(&dir.path().join("p.ron/x")).contains("there is no such file"));
+}
+
+/// The largest project that is allowed still opens quickly enough to be used in a test.
+#[test]
+fn a_thousand_layouts_open_and_one_more_is_refused() {
+    let text = |count: usize| {
+        let layouts: String =
+            (0..count).map(|k| format!("(name: \"{k}\", d: 0.3, L: 3, D: 1),\n")).collect();
+        format!("(version: 1, name: \"p\", layouts: [{layouts}])")
+    };
+    assert_eq!(project::parse(&text(1000), "many").unwrap().project.layouts.len(), 1000);
+    let said = project::parse(&text(1001), "many").unwrap_err().to_string();
+    assert!(said.contains("up to 1000"), "{said}");
+}
+
+fn sample() -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/road-cut.ron")).unwrap()
+}
+
+#[test]
+fn the_first_start_opens_a_copy_of_the_sample_and_the_next_one_the_last_project() {
+    let dir = tempfile::tempdir().unwrap();
+    let data = dir.path().join("not/yet/there");
+    let home = Home::at(Some(data.clone()));
+    assert!(home.recent().is_empty());
+    let mut start = home.start_project().unwrap();
+    assert_eq!(start.note, None);
+    let copy = data.join("road-cut.ron");
+    assert_eq!(start.opened.document.path(), Some(copy.as_path()));
+    assert_eq!(fs::read_to_string(&copy).unwrap(), sample());
+    // What the user made of the copy stays.
+    start.opened.project.site = "ours".into();
+    start.opened.document.save(&start.opened.project, Overwrite::No).unwrap();
+    assert_eq!(home.start_project().unwrap().opened.project.site, "ours");
+
+    let other = dir.path().join("other.ron");
+    project::create(&other, &project::new_project("other")).unwrap();
+    assert!(home.remember(&copy).unwrap());
+    assert!(home.remember(&other).unwrap());
+    assert_eq!(home.start_project().unwrap().opened.project.name, "other");
+    assert_eq!(home.recent(), [other.clone(), copy.clone()]);
+    assert!(home.remember(&copy).unwrap());
+    assert_eq!(home.recent(), [copy, other.clone()]);
+
+    // A last project that is gone is passed over and named.
+    home.remember(&other).unwrap();
+    fs::remove_file(&other).unwrap();
+    let start = home.start_project().unwrap();
+    assert_eq!(start.opened.project.site, "ours");
+    assert!(start.note.unwrap().contains("other.ron: there is no such file"));
+}
+
+#[test]
+fn the_recent_list_is_short_and_a_damaged_state_is_no_trouble() {
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(Some(dir.path().to_path_buf()));
+    for k in 0..30 {
+        home.remember(&dir.path().join(format!("{k}.ron"))).unwrap();
+    }
+    assert_eq!(home.recent().len(), 20);
+    assert!(home.recent()[0].ends_with("29.ron"));
+    for damage in ["", "(recent: 7)", "\u{0}", "(recent: [], newer_field: 3)"] {
+        fs::write(dir.path().join("state.ron"), damage).unwrap();
+        assert!(home.recent().is_empty());
+        assert!(home.start_project().is_ok());
+    }
+}
+
+#[test]
+fn without_a_data_directory_the_sample_stands_in_no_file() {
+    let dir = tempfile::tempdir().unwrap();
+    // A file where the directory should be cannot be written into, not even by root.
+    let blocked = dir.path().join("file");
+    fs::write(&blocked, "").unwrap();
+    for home in [Home::at(None), Home::at(Some(blocked.join("data")))] {
+        let start = home.start_project().unwrap();
+        assert_eq!(start.opened.document.path(), None);
+        assert_eq!(start.opened.project.layouts.len(), 5);
+        let note = start.note.unwrap();
+        assert!(note.contains("kept nowhere until you save it"), "{note}");
+        assert!(home.remember(Path::new("x.ron")).map_or(true, |kept| !kept));
+    }
+}
+
+fn open_copy(dir: &Path) -> (PathBuf, project::Opened) {
+    let path = dir.join("p.ron");
+    fs::write(&path, sample()).unwrap();
+    let opened = project::load(&path).unwrap();
+    (path, opened)
+}
+
+#[test]
+fn unsaved_work_is_kept_found_recovered_and_thrown_away() {
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(Some(dir.path().join("data")));
+    let (path, opened) = open_copy(dir.path());
+    assert_eq!(opened.document.find_recovery(&home), None);
+    let mut edited = opened.project.clone();
+    edited.layouts.swap(0, 1);
+    edited.layouts[0].plate = 0.2;
+    let kept = opened.document.keep(&edited, &home).unwrap();
+    assert_eq!(kept, dir.path().join(".p.ron.recovery"));
+    assert_eq!(fs::read_to_string(&path).unwrap(), sample(), "the file itself changed");
+
+    let mut next = project::load(&path).unwrap();
+    let found = next.document.find_recovery(&home).unwrap();
+    assert!(found.written.is_some());
+    let project = next.document.recover(&found).unwrap();
+    assert_eq!(project, edited);
+    // Saving it keeps the comments of the file.
+    assert!(next.document.save(&project, Overwrite::No).unwrap().comments_kept);
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.find("Test 2").unwrap() < text.find("Table 1, test 1").unwrap(), "{text}");
+    // What is saved needs no recovery.
+    assert_eq!(next.document.find_recovery(&home), None);
+    next.document.discard_recovery(&home);
+    assert!(!kept.exists());
+}
+
+#[test]
+fn work_is_kept_in_the_data_directory_where_there_is_no_better_place() {
+    let dir = tempfile::tempdir().unwrap();
+    let data = dir.path().join("data");
+    let home = Home::at(Some(data.clone()));
+    let opened = project::parse(&sample(), "sample").unwrap();
+    let mut edited = opened.project.clone();
+    edited.site = "unsaved".into();
+    let kept = opened.document.keep(&edited, &home).unwrap();
+    assert!(kept.starts_with(data.join("recovery")));
+    let found = opened.document.find_recovery(&home).unwrap();
+    assert_eq!(opened.document.recover(&found).unwrap().site, "unsaved");
+    opened.document.discard_recovery(&home);
+    assert_eq!(opened.document.find_recovery(&home), None);
+
+    // The directory of the file is gone, as on a disk that was pulled out.
+    let gone = dir.path().join("gone");
+    fs::create_dir(&gone).unwrap();
+    let (_, opened) = open_copy(&gone);
+    fs::remove_dir_all(&gone).unwrap();
+    let kept = opened.document.keep(&edited, &home).unwrap();
+    assert!(kept.starts_with(data.join("recovery")));
+    assert_eq!(opened.document.find_recovery(&home).unwrap().path, kept);
+    assert!(opened.document.keep(&edited, &Home::at(None)).is_err());
+}
+
+#[test]
+fn damaged_recovery_is_refused_in_plain_words() {
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(None);
+    let (_, opened) = open_copy(dir.path());
+    fs::write(dir.path().join(".p.ron.recovery"), "(version: 1, name").unwrap();
+    let found = opened.document.find_recovery(&home).unwrap();
+    let said = opened.document.recover(&found).unwrap_err().to_string();
+    assert!(said.contains(".p.ron.recovery cannot be opened"), "{said}");
+}
+
+/// A hostile file must not keep the program busy: the time grows with the size and no faster.
+#[test]
+fn large_nonsense_is_refused_soon() {
+    let started = std::time::Instant::now();
+    let many = |piece: &str| {
+        let count = 1_000_000 / piece.len();
+        format!("(version: 1, name: \"p\", layouts: [{}])", piece.repeat(count))
+    };
+    for text in [
+        many("(a: 1),"),
+        many("1,"),
+        many("(name: \"x\", d: 1, L: 3, D: 1),"),
+        many("/**/x,"),
+        many("(name: \"a\", d: 1, d: 1, d: 1, d: 1),"),
+        format!("(version: 1, name: \"p\", {})", "x: 1,".repeat(200_000)),
+        format!("(version: 1, name: \"p\", layouts: [(name: \"a\", {})])", "d: 1,".repeat(200_000)),
+        format!("(version: 1, name: \"p\", meshes: [{}], layouts: [])", "\"a\",".repeat(200_000)),
+        "(".repeat(1_000_000),
+        "/*".repeat(500_000),
+    ] {
+        assert!(project::parse(&text, "large").is_err());
+    }
+    // One second alone on two cores; a step that grows with the square would take minutes.
+    assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
+}

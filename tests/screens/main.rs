@@ -1,0 +1,6 @@
+//! Screens by styled snapshot, and edits by key script.
+
+mod harness;
+mod readme;
+mod scripts;
+mod snapshots;

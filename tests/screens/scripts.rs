@@ -1,0 +1,339 @@
+//! Whole edits by key script: keys in, project and screen out.
+
+use crate::harness::*;
+use meshcast::app::App;
+use meshcast::app::message::{Effect, Message, SaveFailure, Saved};
+use meshcast::layout::BranchRule;
+use meshcast::units::LengthUnit;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+fn app() -> App {
+    start(road_cut(), (80, 24), COLOR)
+}
+
+/// Answers a save effect as if the file had been written.
+fn saved(app: &mut App, effects: Vec<Effect>) -> Vec<Effect> {
+    let [Effect::Save { project, path, .. }] = &effects[..] else { panic!("{effects:?}") };
+    let path = path.clone().unwrap_or_else(|| PathBuf::from("/site/road-cut.ron"));
+    app.update(Message::Saved(Ok(Saved { project: project.clone(), path, note: None })))
+}
+
+#[test]
+fn arrows_step_finely_and_coarsely() {
+    let mut app = app();
+    press(&mut app, "<Right>");
+    assert_eq!(app.layout().plate, 0.26);
+    press(&mut app, "<lt><S-Left>");
+    assert_eq!(app.layout().plate, 0.16);
+    press(&mut app, "<Down>>");
+    assert_eq!(app.layout().spacing, 3.0);
+    // Many steps leave no rounding behind.
+    press(&mut app, &"<Right>".repeat(7));
+    assert_eq!(app.layout().spacing, 3.35);
+}
+
+#[test]
+fn values_are_typed_with_and_without_a_unit() {
+    let mut app = app();
+    press(&mut app, "310mm<Enter>");
+    assert_eq!(app.layout().plate, 0.31);
+    press(&mut app, "<Enter><C-u>0.2 m<Enter>");
+    assert_eq!(app.layout().plate, 0.2);
+    press(&mut app, "t250<Enter>");
+    assert_eq!(app.layout().plate, 0.25);
+    assert_eq!(app.units(), LengthUnit::Millimetre);
+    press(&mut app, "<Down><Down><Down>-500<Enter>");
+    assert_eq!(app.layout().ex, -0.5);
+}
+
+#[test]
+fn escape_and_control_g_drop_what_was_typed() {
+    let mut app = app();
+    press(&mut app, "0.3<Esc>0.4<C-g>");
+    assert_eq!(app.layout().plate, 0.25);
+    assert!(!app.edited());
+}
+
+#[test]
+fn a_refused_value_stays_with_the_reason() {
+    let mut app = app();
+    press(&mut app, "9<Enter>");
+    assert_eq!(app.layout().plate, 0.25);
+    let shown = text(&app);
+    assert!(shown.contains("! d must be above 0, below L = 2.50 m"), "{shown}");
+    assert!(shown.contains(" d  plate    9") || shown.contains(">d  plate    9"), "{shown}");
+    // The text can be mended instead of typed again.
+    press(&mut app, "<Home>0.<Del>4<Enter>");
+    assert_eq!(app.layout().plate, 0.4);
+    // Stepping is refused in the same words and changes nothing.
+    press(&mut app, "<Down><Down>2.45<Enter><Right>");
+    assert_eq!(app.layout().punch, 2.45);
+    assert!(text(&app).contains("D must be above 0, below L = 2.50 m"));
+}
+
+#[test]
+fn a_thousand_edits_can_be_undone_and_redone() {
+    let mut app = app();
+    press(&mut app, "<Down>");
+    let before = app.project().clone();
+    for _ in 0..600 {
+        press(&mut app, "<Right><Left>");
+    }
+    press(&mut app, "<Right>");
+    let after = app.project().clone();
+    assert!(app.edited());
+    press(&mut app, &"u".repeat(1201));
+    assert_eq!(**app.project(), *before);
+    assert!(!app.edited());
+    press(&mut app, &"U".repeat(1201));
+    assert_eq!(**app.project(), *after);
+    // A new edit forgets what was undone.
+    press(&mut app, "u<Right>U");
+    assert!(text(&app).contains("nothing to redo"));
+}
+
+#[test]
+fn undo_returns_to_the_place_of_the_edit() {
+    let mut app = app();
+    press(&mut app, "<Tab><Down><Right><Tab><Up>u");
+    assert_eq!(app.selected(), 1);
+    assert_eq!(app.field().symbol(), "L");
+    assert!(text(&app).contains("undone: L of shelf"));
+}
+
+#[test]
+fn layouts_are_added_copied_renamed_moved_and_deleted() {
+    let mut app = app();
+    let names = |app: &App| -> Vec<String> {
+        app.project().layouts.iter().map(|l| l.name.clone()).collect()
+    };
+    press(&mut app, "a");
+    assert_eq!(names(&app)[..2], ["bench 2", "layout"]);
+    assert_eq!(app.selected(), 1);
+    press(&mut app, "r<C-u>portal<Enter>");
+    assert!(text(&app).contains("another layout is already called"));
+    press(&mut app, "<C-u>new slope<Enter>y");
+    assert_eq!(names(&app)[1..3], ["new slope", "new slope (2)"]);
+    press(&mut app, "JJ");
+    assert_eq!(names(&app)[4], "new slope (2)");
+    assert_eq!(app.layout().name, "new slope (2)");
+    press(&mut app, "x");
+    assert!(!names(&app).contains(&"new slope (2)".to_string()));
+    press(&mut app, "uuuuuu");
+    assert_eq!(names(&app), ["bench 2", "shelf", "bench 3", "portal", "gully"]);
+    assert!(!app.edited());
+}
+
+#[test]
+fn the_last_layout_stays() {
+    let mut app = app();
+    press(&mut app, "xxxxx");
+    assert_eq!(app.project().layouts.len(), 1);
+    assert!(text(&app).contains("keeps at least one layout"));
+}
+
+#[test]
+fn a_unit_from_the_command_line_is_not_saved() {
+    let mut app = App::new(meshcast::app::Start {
+        project: Arc::new(road_cut()),
+        path: None,
+        note: None,
+        kept: None,
+        look: COLOR,
+        units: Some(LengthUnit::Millimetre),
+        size: (80, 24),
+    });
+    assert!(text(&app).contains("250 mm"));
+    press(&mut app, "260<Enter>");
+    assert_eq!(app.layout().plate, 0.26);
+    assert_eq!(app.project().display.length_unit, LengthUnit::Metre);
+    // The key sets the project's own unit.
+    press(&mut app, "tt");
+    assert!(text(&app).contains("260 mm"));
+    assert_eq!(app.project().display.length_unit, LengthUnit::Millimetre);
+}
+
+#[test]
+fn at_most_four_overlays() {
+    let mut app = app();
+    press(&mut app, "o<Tab>o<Tab>o<Tab>o<Tab>o");
+    assert_eq!(app.project().layouts.iter().filter(|l| l.overlay).count(), 4);
+    assert!(text(&app).contains("at most 4 curves"));
+    let shown = text(&app);
+    for (letter, name) in [('A', "bench 2"), ('B', "shelf"), ('C', "bench 3"), ('D', "portal")] {
+        assert!(shown.contains(&format!("{letter}{name}")), "{shown}");
+    }
+}
+
+#[test]
+fn the_branch_can_be_conservative() {
+    let mut app = app();
+    // d = 0.25, D = 0.3: the published branch gives more than the small-punch one.
+    press(&mut app, "<Down><Down>0.3<Enter>");
+    let published = app.result().forecast().unwrap().field.unwrap().values.force;
+    press(&mut app, "b");
+    assert_eq!(app.layout().branch, BranchRule::Conservative);
+    let conservative = app.result().forecast().unwrap().field.unwrap().values.force;
+    assert!(conservative < published);
+}
+
+#[test]
+fn design_values_are_set_and_cleared() {
+    let mut app = app();
+    press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
+    assert_eq!(app.layout().design_force, Some(20_000.0));
+    // By hand: 20/22.8 = 88 % of F_a = 22.8 kN (Table 1, test 1).
+    assert!(text(&app).contains("use 88 %"), "{}", text(&app));
+    press(&mut app, "<Del>");
+    assert_eq!(app.layout().design_force, None);
+    press(&mut app, "<Right>");
+    assert_eq!(app.layout().design_force, Some(17_000.0));
+    press(&mut app, "<Enter><C-u><Enter>");
+    assert_eq!(app.layout().design_force, None);
+}
+
+#[test]
+fn saving_by_key_and_by_command() {
+    let mut app = app();
+    press(&mut app, "<Right>");
+    assert!(text(&app).contains("road-cut.ron *"));
+    let effects = press(&mut app, "<C-s>");
+    saved(&mut app, effects);
+    assert!(!app.edited());
+    assert!(text(&app).contains("saved /site/road-cut.ron"));
+    press(&mut app, "<Right>");
+    let effects = press(&mut app, ":w<Enter>");
+    saved(&mut app, effects);
+    assert!(!app.edited());
+    let effects = press(&mut app, ":w other name.ron<Enter>");
+    saved(&mut app, effects);
+    assert_eq!(app.path(), Some(PathBuf::from("other name.ron").as_path()));
+}
+
+#[test]
+fn quitting_asks_only_when_edits_are_unsaved() {
+    let mut app = app();
+    assert!(matches!(press(&mut app, "q")[..], [Effect::Quit]));
+    press(&mut app, "<Right>");
+    assert!(press(&mut app, "q").is_empty());
+    assert!(text(&app).contains("not saved"));
+    assert!(press(&mut app, "<Esc>").is_empty());
+    let effects = press(&mut app, "qs");
+    assert!(matches!(saved(&mut app, effects)[..], [Effect::Quit]));
+    press(&mut app, "<Right>");
+    assert!(matches!(press(&mut app, "qd")[..], [Effect::ForgetRecovery, Effect::Quit]));
+    assert!(matches!(press(&mut app, ":q!<Enter>")[..], [Effect::ForgetRecovery, Effect::Quit]));
+}
+
+#[test]
+fn a_failed_save_keeps_the_program_open_and_says_why() {
+    let mut app = app();
+    press(&mut app, "<Right>");
+    press(&mut app, ":wq<Enter>");
+    let effects = app.update(Message::Saved(Err(SaveFailure {
+        message: "the disk is full".into(),
+        overwrite_helps: false,
+        path: None,
+    })));
+    assert!(effects.is_empty());
+    assert!(text(&app).contains("! the disk is full"));
+    assert!(app.edited());
+}
+
+#[test]
+fn a_file_that_changed_on_disk_is_overwritten_only_when_told() {
+    let mut app = app();
+    press(&mut app, "<Right><C-s>");
+    app.update(Message::Saved(Err(SaveFailure {
+        message: "the file changed on disk since it was opened".into(),
+        overwrite_helps: true,
+        path: None,
+    })));
+    assert!(text(&app).contains("replace the file on disk"), "{}", text(&app));
+    let effects = press(&mut app, "o");
+    assert!(matches!(effects[..], [Effect::Save { overwrite: true, .. }]));
+}
+
+#[test]
+fn kept_edits_are_offered_and_can_be_taken_back() {
+    let mut kept = road_cut();
+    kept.layouts[0].plate = 0.3;
+    let open = || {
+        App::new(meshcast::app::Start {
+            project: Arc::new(road_cut()),
+            path: Some(PathBuf::from("/site/road-cut.ron")),
+            note: None,
+            kept: Some(Arc::new(kept.clone())),
+            look: COLOR,
+            units: None,
+            size: (80, 24),
+        })
+    };
+    let mut app = open();
+    assert!(text(&app).contains("cut off"));
+    press(&mut app, "r");
+    assert_eq!(app.layout().plate, 0.3);
+    assert!(app.edited());
+    press(&mut app, "u");
+    assert_eq!(app.layout().plate, 0.25);
+    let mut app = open();
+    assert!(matches!(press(&mut app, "d")[..], [Effect::ForgetRecovery]));
+    assert!(!app.edited());
+}
+
+#[test]
+fn hanging_up_keeps_unsaved_edits() {
+    let mut app = app();
+    assert!(matches!(app.update(Message::HangUp)[..], [Effect::Quit]));
+    press(&mut app, "<Right>");
+    assert!(matches!(app.update(Message::HangUp)[..], [Effect::Recover { .. }, Effect::Quit]));
+}
+
+#[test]
+fn commands_of_the_help_are_known() {
+    for command in meshcast::app::keymap::COMMANDS {
+        for form in command.form.split(" / ") {
+            let form =
+                form.replace("PATH", "x.ron").replace("TEXT", "text").replace("ID", "dt-8x10-2.7");
+            let form = form.split('|').next().unwrap().replace('N', "2");
+            let mut app = app();
+            press(&mut app, &format!(":{form}<Enter>"));
+            let refused = matches!(app.mode(), meshcast::app::Mode::Entry(_));
+            assert!(!refused, "{form}: {}", text(&app));
+        }
+    }
+}
+
+#[test]
+fn pasted_text_goes_into_the_line_and_nowhere_else() {
+    let mut app = app();
+    app.update(Message::Paste("xxxx".into()));
+    assert_eq!(app.project().layouts.len(), 5);
+    press(&mut app, "r<C-u>");
+    app.update(Message::Paste("upper\nbench\n".into()));
+    press(&mut app, "<Enter>");
+    assert_eq!(app.layout().name, "upper bench");
+}
+
+#[test]
+fn an_unknown_key_says_where_the_keys_are() {
+    let mut app = app();
+    press(&mut app, "Q");
+    assert!(text(&app).contains("Q does nothing here; ? shows the keys"));
+    assert!(!app.edited());
+}
+
+#[test]
+fn every_size_is_drawn_without_panic_and_within_the_screen() {
+    let mut app = app();
+    for script in ["", "o<Tab>", "?", "<Esc>i", "<Esc>m", "<Esc>r", "<Esc><Right>q", "<Esc>:w"] {
+        press(&mut app, script);
+        for width in [1, 20, 39, 40, 41, 63, 64, 79, 80, 81, 109, 110, 140, 300] {
+            for height in [1, 5, 11, 12, 13, 23, 24, 25, 33, 34, 60, 100] {
+                app.update(Message::Resize { width, height });
+                text(&app);
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The program in a real pseudo-terminal: what it sends, and how it leaves the terminal behind.
+#![cfg(unix)]
+
+mod cost;
+mod drawing;
+mod endings;
+mod program;
+mod projects;
+mod pty;
+mod stopping;
+mod toy;
