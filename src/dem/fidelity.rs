@@ -103,6 +103,8 @@ pub struct Scheme {
 /// Largest step factor c of the pair's translation that is run: the element bound is 1, the net's
 /// own limit with the wires' real directions is above 1.2 (see the stability tests).
 pub const LARGEST_STEP: f64 = 1.25;
+/// Step factor of the twist's stretching: it costs next to nothing, so it stays well within its limit.
+const STRETCHING: f64 = 0.65;
 /// Largest step factor of the twist's stretching that is run; its limit is 0.9.
 pub const LARGEST_STRETCHING: f64 = 0.87;
 
@@ -113,9 +115,9 @@ impl Controls {
     /// Every control that is outside its range; a step beyond the stability bound.
     pub fn scheme(&self, scene: &Scene) -> Result<Scheme, Vec<Problem>> {
         let (translation, damping, travel): (f64, f64, f64) = match self.fidelity {
-            Fidelity::Quick => (1.15, 0.003, 3.9e-4),
-            Fidelity::Standard => (1.15, 0.002, 2.05e-4),
-            Fidelity::Fine => (1.15, 0.002, 5.5e-5),
+            Fidelity::Quick => (1.1, 0.003, 3.7e-4),
+            Fidelity::Standard => (1.1, 0.002, 1.95e-4),
+            Fidelity::Fine => (1.1, 0.002, 5.5e-5),
             Fidelity::Reference => (1.0, 0.000_6, 5.0e-6),
         };
         let full = self.fidelity == Fidelity::Reference;
@@ -124,7 +126,7 @@ impl Controls {
         let scheme = Scheme {
             factors: StepFactors {
                 translation: translation * self.step_factor,
-                stretching: 0.8 * self.step_factor,
+                stretching: STRETCHING * self.step_factor,
             },
             damping: self.damping.unwrap_or(damping),
             travel: self.speed.unwrap_or(travel * wires.slowness(full)),
@@ -140,7 +142,7 @@ impl Controls {
                 );
             }
         };
-        let largest = (LARGEST_STEP / translation).min(LARGEST_STRETCHING / 0.8);
+        let largest = (LARGEST_STEP / translation).min(LARGEST_STRETCHING / STRETCHING);
         range(
             "step_factor",
             self.step_factor,

@@ -172,9 +172,9 @@ impl Plain {
             let f = curve.force(&bond.ramp, *top, e);
             if f > 0.0 {
                 let pull = f / length;
-                for k in 0..3 {
-                    self.force[bond.a][k] += pull * d[k];
-                    self.force[bond.b][k] -= pull * d[k];
+                for (k, along) in d.iter().enumerate() {
+                    self.force[bond.a][k] += pull * along;
+                    self.force[bond.b][k] -= pull * along;
                 }
             }
         }
@@ -188,8 +188,8 @@ impl Plain {
             }
             let (depth, normal) = dome.depth(p, self.deflection);
             if depth > 0.0 {
-                for k in 0..3 {
-                    self.force[node][k] += dome.stiffness * depth * normal[k];
+                for (force, along) in self.force[node].iter_mut().zip(normal) {
+                    *force += dome.stiffness * depth * along;
                 }
                 punch += dome.stiffness * depth * normal[2];
                 energy += 0.5 * dome.stiffness * depth * depth;
@@ -337,6 +337,19 @@ impl Stepper for Plain {
             .map(|(bond, top)| top / self.net.curves[bond.curve].rupture())
             .filter(|u| *u <= 1.0)
             .fold(0.0, f64::max)
+    }
+
+    fn shaking(&self) -> f64 {
+        let mut most = 0.0_f64;
+        for (bond, top) in self.net.bonds.iter().zip(&self.top).filter(|(bond, _)| bond.curve == 1)
+        {
+            let rupture = self.net.curves[bond.curve].rupture();
+            if *top <= rupture {
+                let rate = (self.velocity[bond.b][1] - self.velocity[bond.a][1]).abs();
+                most = most.max(rate / bond.taut / rupture);
+            }
+        }
+        most
     }
 
     fn damping_loss(&self) -> Option<f64> {
