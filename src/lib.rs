@@ -8,6 +8,7 @@
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
+//! - [`study`]: many forecasts at once: sensitivity, sweep, comparison, design.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.
@@ -24,6 +25,7 @@ pub mod layout;
 pub mod mesh;
 pub mod problem;
 pub mod project;
+pub mod study;
 pub mod term;
 pub mod ui;
 pub mod units;
