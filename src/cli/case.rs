@@ -1,5 +1,6 @@
 //! One layout to forecast: from a project file or the defaults, with the flags above both.
 
+use super::UiFlags;
 use super::nearest::nearest;
 use super::output::Fault;
 use super::quantity;
@@ -7,10 +8,76 @@ use crate::forecast::design::Question;
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
-use crate::project::{NamedLayout, Project};
+use crate::project::{self, NamedLayout, Project};
+use crate::study;
+use crate::study::case::Input;
+use crate::units::LengthUnit;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// Where the layouts come from: a project file or the flags alone.
+#[derive(Debug, Clone, Default, Args)]
+pub struct Source {
+    /// Project file; without it, one layout from the flags below.
+    #[arg(value_name = "PROJECT.ron")]
+    project: Option<PathBuf>,
+    /// Only the layout of this name.
+    #[arg(long, value_name = "NAME", requires = "project", allow_hyphen_values = true)]
+    layout: Option<String>,
+    #[command(flatten)]
+    inputs: Inputs,
+}
+
+/// The cases of a command.
+#[derive(Debug)]
+pub struct Loaded {
+    /// One, or those of a project in its order.
+    pub cases: Vec<Case>,
+    /// Unit of lengths in texts: of the flag, the project, or metres.
+    pub unit: LengthUnit,
+    /// Whether the result is a list, also of one or of none: all layouts of a project.
+    pub several: bool,
+}
+
+impl Source {
+    /// Reads the project, if there is one, and puts the flags above it.
+    ///
+    /// # Errors
+    /// What is wrong with the file, the layout's name or the inputs.
+    pub fn load(&self, ui: &UiFlags) -> Result<Loaded, Fault> {
+        match &self.project {
+            Some(path) => self.inputs.of_file(path, self.layout.as_deref(), ui),
+            None => Ok(Loaded {
+                cases: vec![self.inputs.alone()?],
+                unit: ui.units.unwrap_or_default(),
+                several: false,
+            }),
+        }
+    }
+
+    /// The same with other defaults: without a project, an input that no flag gives is the one here
+    /// and not that of the paper's reference panel.
+    pub fn with_defaults(&self, defaults: &[(Input, f64)]) -> Source {
+        let mut source = self.clone();
+        if self.project.is_none() {
+            let inputs = &mut source.inputs;
+            for (input, value) in defaults {
+                let flag = match input {
+                    Input::Plate => &mut inputs.plate,
+                    Input::Spacing => &mut inputs.spacing,
+                    Input::Punch => &mut inputs.punch,
+                    Input::OffsetX => &mut inputs.ex,
+                    Input::OffsetY => &mut inputs.ey,
+                    Input::LabForce | Input::LabDeflection => continue,
+                };
+                flag.get_or_insert(*value);
+            }
+        }
+        source
+    }
+}
 
 /// Inputs of a forecast on the command line; each goes above the file.
 #[derive(Debug, Clone, Default, Args)]
@@ -83,9 +150,32 @@ impl Case {
             gamma_load: self.entry.gamma_load,
         }
     }
+
+    /// The same for a study.
+    pub fn study(&self) -> study::case::Case {
+        study::case::Case {
+            layout: self.entry.layout(),
+            mesh: self.mesh.clone(),
+            rule: self.entry.branch,
+            question: self.question(),
+        }
+    }
 }
 
 impl Inputs {
+    /// The cases of a project file's layouts, or of the one that is named.
+    ///
+    /// # Errors
+    /// What is wrong with the file, the layout's name or the inputs.
+    pub fn of_file(&self, path: &Path, only: Option<&str>, ui: &UiFlags) -> Result<Loaded, Fault> {
+        let opened = project::load(path)?;
+        Ok(Loaded {
+            cases: self.of_project(&opened.project, only)?,
+            unit: ui.units.unwrap_or(opened.project.display.length_unit),
+            several: only.is_none(),
+        })
+    }
+
     /// The case without a project: the defaults and these inputs.
     ///
     /// # Errors

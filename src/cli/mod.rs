@@ -2,12 +2,15 @@
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
 //! - [`forecast`], [`mesh`], [`new`], [`validate`]: the subcommands; [`interactive`]: none of them.
+//! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies.
 //! - [`case`]: one layout to forecast, from a project file, flags and defaults.
 //! - [`output`]: results to standard output, errors to standard error, exit codes.
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
 
 pub mod case;
+pub mod compare;
+pub mod design;
 pub mod flags;
 pub mod forecast;
 pub mod interactive;
@@ -15,7 +18,11 @@ pub mod mesh;
 mod nearest;
 pub mod new;
 pub mod output;
+mod page;
 pub mod quantity;
+pub mod sensitivity;
+mod shapes;
+pub mod sweep;
 pub mod validate;
 
 pub use flags::UiFlags;
@@ -37,6 +44,11 @@ Examples:
   meshcast forecast -d 250mm -L 2.5 -D 0.6       one layout, as a text
   meshcast forecast road-cut.ron --format json   every layout of a project
   meshcast forecast road-cut.ron --layout 'bench 2' --format csv > curve.csv
+  meshcast compare road-cut.ron --sort utilisation --descending
+  meshcast sensitivity road-cut.ron --layout portal
+  meshcast sweep -d 0.25 --vary L --from 2 --to 4.5 --steps 11
+  meshcast sweep --vary L --from 2 --to 4 --vary2 D --from2 0.4 --to2 1.6
+  meshcast design -d 0.25 --force 20 --gamma-load 1.3 --solve L
 
 Bare numbers are metres and kilonewtons. A project that is named like a command is
 opened by its path: meshcast ./mesh";
@@ -60,6 +72,10 @@ struct Root {
 enum Command {
     New(new::NewArgs),
     Forecast(Box<forecast::ForecastArgs>),
+    Sensitivity(Box<sensitivity::SensitivityArgs>),
+    Sweep(Box<sweep::SweepArgs>),
+    Compare(Box<compare::CompareArgs>),
+    Design(Box<design::DesignArgs>),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -91,6 +107,10 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
     match command {
         Command::New(args) => new::run(&args),
         Command::Forecast(args) => forecast::run(&args, ui),
+        Command::Sensitivity(args) => sensitivity::run(&args, ui),
+        Command::Sweep(args) => sweep::run(&args, ui),
+        Command::Compare(args) => compare::run(&args, ui),
+        Command::Design(args) => design::run(&args, ui),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

@@ -4,6 +4,7 @@ use crate::project::LoadError;
 use crate::units::without_noise;
 use clap::ValueEnum;
 use serde::Serializer;
+use std::borrow::Cow;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -20,6 +21,18 @@ pub enum Format {
     Text,
     /// JSON, SI with kN.
     Json,
+}
+
+/// How a result is written that is a table too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum TableFormat {
+    /// A text for people.
+    #[default]
+    Text,
+    /// JSON, SI with kN.
+    Json,
+    /// A table with a header line, SI with kN.
+    Csv,
 }
 
 /// What a subcommand has to say when it went well.
@@ -138,6 +151,33 @@ pub fn list<S: Serializer>(values: &[f64], s: S) -> Result<S::Ok, S::Error> {
     s.collect_seq(values.iter().map(|v| without_noise(*v)))
 }
 
+/// JSON objects as one line each in a list, or the one object alone.
+pub fn json_list<T: serde::Serialize>(
+    objects: impl IntoIterator<Item = T>,
+    several: bool,
+) -> Result<String, Fault> {
+    let objects = objects.into_iter().map(|o| json(&o)).collect::<Result<Vec<String>, Fault>>()?;
+    Ok(match objects.as_slice() {
+        [one] if !several => format!("{one}\n"),
+        [] => "[]\n".to_string(),
+        all => format!("[\n{}\n]\n", all.join(",\n")),
+    })
+}
+
+/// A field of CSV as RFC 4180 writes it: in quotes where it holds a comma, a quote or a line end.
+pub fn quoted(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+/// A number as a field of CSV, without the noise of conversion; empty where it is missing.
+pub fn cell(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |v| without_noise(v).to_string())
+}
+
 /// Breaks a text into lines of at most `width` columns: the first begins with `head`, the others are
 /// indented to the width of it. A word that is too long stands on a line of its own.
 pub fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
@@ -164,6 +204,14 @@ pub fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fields_are_quoted_where_a_reader_needs_it() {
+        assert_eq!(quoted("bench 2"), "bench 2");
+        assert_eq!(quoted("a,b"), "\"a,b\"");
+        assert_eq!(quoted("3\" plate"), "\"3\"\" plate\"");
+        assert_eq!((cell(Some(0.1 + 0.2)), cell(None)), ("0.3".into(), String::new()));
+    }
 
     #[test]
     fn lines_break_between_words_and_keep_their_indent() {

@@ -1,4 +1,13 @@
-//! Many checks at once, with clocks and threads: what the `dem` room knows nothing of.
+//! Many forecasts or checks at once.
+//!
+//! Over forecasts, what engineers ask after the first answer; pure computations:
+//!
+//! - [`case`]: one layout with its mesh and its design question, its seven inputs, what it gives.
+//! - [`sensitivity`]: how the answer moves with each input; [`sweep`]: one input, or two, over a range.
+//! - [`compare`]: the layouts of a project side by side, and which of them governs.
+//! - [`solve`]: the plate, spacing or punch that just meets what is asked.
+//!
+//! Over checks, with the clocks and threads that the `dem` room knows nothing of:
 //!
 //! - [`clock`]: processor time and time on the wall.
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band.
@@ -9,8 +18,13 @@
 
 pub mod bench;
 pub mod calibrate;
+pub mod case;
 pub mod clock;
+pub mod compare;
 pub mod convergence;
 pub mod ensemble;
 pub mod published;
 pub mod record;
+pub mod sensitivity;
+pub mod solve;
+pub mod sweep;

@@ -4,6 +4,7 @@ mod errors;
 mod forecast_csv_and_text;
 mod forecast_json;
 mod program;
+mod studies;
 mod tables;
 
 use serde_json::Value;

@@ -1,5 +1,7 @@
 //! What holds of the forecast whatever the layout and the mesh.
 
+mod studies;
+
 use meshcast::forecast::field::Branch;
 use meshcast::forecast::{CURVE_POINTS, Field, Forecast, forecast};
 use meshcast::layout::{BranchRule, Layout};

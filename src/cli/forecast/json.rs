@@ -1,7 +1,8 @@
 //! A forecast as JSON: SI with kN, one object a layout.
 
 use super::{Answered, BASIS, VERSION};
-use crate::cli::output::{Fault, json, list, number, optional};
+use crate::cli::output::{Fault, json_list, list, number, optional};
+use crate::cli::shapes::{Design, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::eccentricity::published;
 use crate::forecast::{CURVE_POINTS, Values};
 use crate::units::{to_kj, to_kn};
@@ -9,13 +10,7 @@ use serde::Serialize;
 
 /// One object, or a list of them with one line each.
 pub fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {
-    let objects =
-        answered.iter().map(|a| json(&Report::of(a))).collect::<Result<Vec<String>, Fault>>()?;
-    Ok(match objects.as_slice() {
-        [one] if !several => format!("{one}\n"),
-        [] => "[]\n".to_string(),
-        all => format!("[\n{}\n]\n", all.join(",\n")),
-    })
+    json_list(answered.iter().map(Report::of), several)
 }
 
 #[derive(Serialize)]
@@ -35,32 +30,6 @@ struct Report<'a> {
     curve: Option<CurveJson>,
     warnings: Vec<WarningJson>,
     basis: &'static str,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct InputsJson<'a> {
-    #[serde(serialize_with = "number")]
-    d_m: f64,
-    #[serde(serialize_with = "number")]
-    L_m: f64,
-    #[serde(serialize_with = "number")]
-    D_m: f64,
-    #[serde(serialize_with = "number")]
-    ex_m: f64,
-    #[serde(serialize_with = "number")]
-    ey_m: f64,
-    mesh: &'a str,
-    branch: &'static str,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct Pair {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
 }
 
 #[derive(Serialize)]
@@ -134,49 +103,6 @@ struct Ratios {
 
 #[derive(Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct Design {
-    #[serde(serialize_with = "number")]
-    gamma_resistance: f64,
-    #[serde(serialize_with = "number")]
-    gamma_load: f64,
-    #[serde(serialize_with = "number")]
-    resistance_kN: f64,
-    at_force: Option<AtForce>,
-    at_deflection: Option<AtDeflection>,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct AtForce {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    load_kN: f64,
-    #[serde(serialize_with = "number")]
-    utilisation: f64,
-    #[serde(serialize_with = "number")]
-    margin_kN: f64,
-    #[serde(serialize_with = "optional")]
-    delta_m: Option<f64>,
-    within_allowable: Option<bool>,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct AtDeflection {
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    design_F_kN: f64,
-    #[serde(serialize_with = "number")]
-    energy_kJ: f64,
-    beyond_failure: bool,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
 struct CurveJson {
     #[serde(serialize_with = "list")]
     delta_m: Vec<f64>,
@@ -184,35 +110,16 @@ struct CurveJson {
     F_kN: Vec<f64>,
 }
 
-#[derive(Serialize)]
-struct WarningJson {
-    code: &'static str,
-    weight: &'static str,
-    message: String,
-}
-
-fn pair(values: Values) -> Pair {
-    Pair { F_kN: to_kn(values.force), delta_m: values.deflection }
-}
-
 impl<'a> Report<'a> {
     fn of(a: &'a Answered) -> Report<'a> {
-        let (f, layout) = (&a.forecast, &a.forecast.layout);
+        let f = &a.forecast;
         let record = &a.case.mesh.laboratory;
         let measured = Values { force: record.force, deflection: record.deflection };
         Report {
             layout: a.case.name.as_deref(),
             version: VERSION,
             fingerprint: a.fingerprint.to_string(),
-            inputs: InputsJson {
-                d_m: layout.plate,
-                L_m: layout.spacing,
-                D_m: layout.punch,
-                ex_m: layout.ex,
-                ey_m: layout.ey,
-                mesh: &a.case.mesh.id,
-                branch: f.rule.word(),
-            },
+            inputs: InputsJson::of(&f.layout, &a.case.mesh, f.rule),
             lab: Lab {
                 standard: pair(f.laboratory),
                 statistic: record.statistic.word(),
@@ -252,7 +159,7 @@ impl<'a> Report<'a> {
                 F_field_over_lab: f.force_over_lab(),
                 delta_field_over_lab: f.deflection_over_lab(),
             },
-            design: design(a),
+            design: a.design.map(|answer| Design::of(&answer, &a.question)),
             curve: f.field.map(|field| {
                 let curve = field.curve(CURVE_POINTS);
                 CurveJson {
@@ -260,42 +167,8 @@ impl<'a> Report<'a> {
                     delta_m: curve.deflection,
                 }
             }),
-            warnings: f
-                .warnings
-                .iter()
-                .map(|w| WarningJson {
-                    code: w.code(),
-                    weight: w.weight().word(),
-                    message: w.message(),
-                })
-                .collect(),
+            warnings: f.warnings.iter().map(WarningJson::of).collect(),
             basis: BASIS,
         }
     }
-}
-
-fn design(a: &Answered) -> Option<Design> {
-    let (answer, question) = (a.design?, &a.question);
-    Some(Design {
-        gamma_resistance: question.gamma_resistance,
-        gamma_load: question.gamma_load,
-        resistance_kN: to_kn(answer.resistance),
-        at_force: answer.at_force.zip(question.force).map(|(at, force)| AtForce {
-            F_kN: to_kn(force),
-            load_kN: to_kn(at.load),
-            utilisation: at.utilisation,
-            margin_kN: to_kn(at.margin),
-            delta_m: at.deflection,
-            within_allowable: at.within_allowable,
-        }),
-        at_deflection: answer.at_deflection.zip(question.deflection).map(|(at, deflection)| {
-            AtDeflection {
-                delta_m: deflection,
-                F_kN: to_kn(at.force),
-                design_F_kN: to_kn(at.design_force),
-                energy_kJ: to_kj(at.energy),
-                beyond_failure: at.beyond_failure,
-            }
-        }),
-    })
 }

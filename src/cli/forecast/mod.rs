@@ -6,46 +6,25 @@ mod csv;
 mod json;
 mod text;
 
-use super::case::{Case, Inputs};
-use super::output::{Fault, Outcome, Output};
+use super::case::{Case, Source};
+use super::output::{Fault, Outcome, TableFormat, result};
+use super::page::BASIS;
 use super::{UiFlags, VERSION};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question, answer};
 use crate::forecast::fingerprint::of_inputs;
 use crate::forecast::{Forecast, forecast};
-use crate::project;
-use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use clap::Args;
 
 /// Forecast a layout from flags, or the layouts of a project, without a screen.
 #[derive(Debug, Args)]
 pub struct ForecastArgs {
-    /// Project file; without it, one layout from the flags below.
-    #[arg(value_name = "PROJECT.ron")]
-    project: Option<PathBuf>,
-    /// Only the layout of this name.
-    #[arg(long, value_name = "NAME", requires = "project", allow_hyphen_values = true)]
-    layout: Option<String>,
     #[command(flatten)]
-    inputs: Inputs,
+    source: Source,
     /// How the result is written: JSON in SI with kN; CSV holds the curves.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
 }
-
-/// How a forecast is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// A text for people.
-    Text,
-    /// JSON, SI with kN.
-    Json,
-    /// The curves, with a header line.
-    Csv,
-}
-
-/// What stands with every answer: what the method is a forecast of.
-const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
 
 /// One case with its answer.
 #[derive(Debug)]
@@ -65,26 +44,12 @@ fn asks(question: &Question) -> bool {
 
 /// Forecasts and writes the result in the form asked for.
 pub fn run(args: &ForecastArgs, ui: &UiFlags) -> Outcome {
-    let mut unit = ui.units;
-    let cases = match &args.project {
-        None => vec![args.inputs.alone()?],
-        Some(path) => {
-            let opened = project::load(path)?;
-            unit = unit.or(Some(opened.project.display.length_unit));
-            args.inputs.of_project(&opened.project, args.layout.as_deref())?
-        }
-    };
-    let answered = cases.into_iter().map(answered).collect::<Result<Vec<_>, _>>()?;
-    let several = args.project.is_some() && args.layout.is_none();
+    let loaded = args.source.load(ui)?;
+    let answered = loaded.cases.into_iter().map(answered).collect::<Result<Vec<_>, _>>()?;
     match args.format {
-        Format::Text => Ok(Output {
-            result: text::report(&answered, unit.unwrap_or_default()),
-            ..Output::default()
-        }),
-        Format::Json => {
-            Ok(Output { result: json::report(&answered, several)?, ..Output::default() })
-        }
-        Format::Csv => Ok(csv::report(&answered, several)),
+        TableFormat::Text => result(text::report(&answered, loaded.unit)),
+        TableFormat::Json => result(json::report(&answered, loaded.several)?),
+        TableFormat::Csv => Ok(csv::report(&answered, loaded.several)),
     }
 }
 

@@ -1,21 +1,16 @@
 //! A forecast as a text for people: at most 24 lines of 80 columns a layout.
 
-use super::{Answered, BASIS, VERSION};
+use super::Answered;
 use crate::cli::output::wrapped;
+use crate::cli::page::{BASIS, MARGIN, Page, WIDTH};
 use crate::forecast::Field;
-use crate::forecast::design::{Answer, Question};
 use crate::forecast::field::Branch;
 use crate::forecast::warning::Warning;
-use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
+use crate::units::{LengthUnit, force_text, significant};
 use crate::units::{to_kj, to_kn};
 
-/// Widest line, columns.
-const WIDTH: usize = 80;
 /// Most lines a layout.
 const HEIGHT: usize = 24;
-/// Columns of the words in front.
-const MARGIN: usize = 14;
-
 /// The reports of all layouts, an empty line between them.
 pub fn report(answered: &[Answered], unit: LengthUnit) -> String {
     if answered.is_empty() {
@@ -25,31 +20,9 @@ pub fn report(answered: &[Answered], unit: LengthUnit) -> String {
     all.join("\n")
 }
 
-struct Page {
-    lines: Vec<String>,
-    unit: LengthUnit,
-}
-
-impl Page {
-    /// A line, or more if the text is long, with a word in front.
-    fn line(&mut self, head: &str, text: impl AsRef<str>) {
-        self.lines.extend(wrapped(&format!("{head:<MARGIN$}"), text.as_ref(), WIDTH));
-    }
-
-    /// A computed length.
-    fn length(&self, metres: f64) -> String {
-        length_text(metres, self.unit)
-    }
-
-    /// A length as entered.
-    fn entry(&self, metres: f64) -> String {
-        format!("{} {}", length_entry(metres, self.unit), self.unit.symbol())
-    }
-}
-
 fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
-    let mut page = Page { lines: Vec::new(), unit };
-    inputs(&mut page, a);
+    let mut page = Page::new(unit);
+    page.inputs("forecast", a.case.name.as_deref(), a.fingerprint, &a.case.study());
     laboratory(&mut page, a);
     match &a.forecast.field {
         Some(field) => {
@@ -64,7 +37,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 ),
             );
             if let Some(answer) = &a.design {
-                design(&mut page, answer, &a.question);
+                page.design(answer, &a.question);
             }
         }
         None => page.line("field", "no value: outside the method"),
@@ -72,26 +45,6 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
     page.line("basis", BASIS);
     warnings(&mut page, &a.forecast.warnings);
     page.lines
-}
-
-fn inputs(page: &mut Page, a: &Answered) {
-    let made_by = format!("meshcast {VERSION}, inputs {}", a.fingerprint);
-    match &a.case.name {
-        Some(name) => page.line("layout", format!("{name}   [{made_by}]")),
-        None => page.line("forecast", format!("[{made_by}]")),
-    }
-    let l = &a.forecast.layout;
-    let text = format!(
-        "d {}, L {}, D {}, ex {}, ey {}",
-        page.entry(l.plate),
-        page.entry(l.spacing),
-        page.entry(l.punch),
-        page.entry(l.ex),
-        page.entry(l.ey)
-    );
-    page.line("inputs", text);
-    let mesh = &a.case.mesh;
-    page.line("mesh", format!("{} ({})", mesh.id, mesh.title()));
 }
 
 fn laboratory(page: &mut Page, a: &Answered) {
@@ -173,52 +126,6 @@ fn curve(page: &mut Page, field: &Field) {
         significant(to_kj(field.energy_to(end)), 3)
     );
     page.line("stiffness", text);
-}
-
-fn design(page: &mut Page, answer: &Answer, question: &Question) {
-    let (on_load, on_resistance) =
-        (shortest(question.gamma_load), shortest(question.gamma_resistance));
-    page.line(
-        "design",
-        format!(
-            "resistance {} with gamma_resistance {on_resistance}; gamma_load {on_load}",
-            force_text(answer.resistance)
-        ),
-    );
-    if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
-        let deflection = match at.deflection {
-            Some(reached) => format!("at {}", page.length(reached)),
-            None => "beyond failure".to_string(),
-        };
-        let allowable = match at.within_allowable {
-            Some(true) => ", within the allowable",
-            Some(false) => ", over the allowable",
-            None => "",
-        };
-        let enough = if at.utilisation > 1.0 { "NOT ENOUGH" } else { "enough" };
-        page.line(
-            "  at force",
-            format!(
-                "{} factored to {}: use {} % ({enough}), {deflection}{allowable}",
-                force_text(force),
-                force_text(at.load),
-                significant(at.utilisation * 100.0, 3)
-            ),
-        );
-    }
-    if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
-        let fails = if at.beyond_failure { " (fails before)" } else { "" };
-        page.line(
-            "  at delta",
-            format!(
-                "{}{fails}: {} mobilised, {} factored, {} kJ",
-                page.entry(deflection),
-                force_text(at.force),
-                force_text(at.design_force),
-                significant(to_kj(at.energy), 3)
-            ),
-        );
-    }
 }
 
 /// The warnings, the heaviest first, in whole sentences, in few words where those do not fit, and as

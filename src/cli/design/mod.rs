@@ -1,0 +1,79 @@
+//! `meshcast design`: the answer to a design question, and the plate, spacing or punch that just meets
+//! it.
+//!
+//! - [`text`]: sentences for people; [`data`]: JSON and CSV.
+
+mod data;
+mod text;
+
+use super::UiFlags;
+use super::case::Source;
+use super::output::{Fault, Outcome, TableFormat, result};
+use crate::study::case::{self, Case, Input};
+use crate::study::solve::{Requirement, Solution, solve};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+/// Which plate, spacing or punch just meets a design force or an allowable deflection.
+///
+/// The question comes from --force, --deflection and the partial factors, or from the project. With
+/// both a force and a deflection each is solved for, and both at once; the deflection is then that at
+/// the factored design force, and without a force it is delta_a. Searched: the published range.
+#[derive(Debug, Args)]
+pub struct DesignArgs {
+    #[command(flatten)]
+    source: Source,
+    /// The input to solve for [default: each of d, L and D].
+    #[arg(long, value_name = "INPUT", value_parser = input())]
+    solve: Option<Input>,
+    /// How the result is written: JSON and CSV in SI with kN.
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+/// Inputs that can be solved for: those with a published range, the spacing first.
+const SOLVED: [Input; 3] = [Input::Spacing, Input::Plate, Input::Punch];
+
+fn input() -> impl TypedValueParser<Value = Input> {
+    PossibleValuesParser::new(["d", "L", "D"]).map(|word| {
+        // One of these words, as the parser in front sees to.
+        SOLVED.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
+    })
+}
+
+/// One layout with its solutions.
+#[derive(Debug)]
+struct Solved {
+    name: Option<String>,
+    case: Case,
+    outcome: case::Outcome,
+    /// By input, then by requirement; empty where nothing is asked of the layout.
+    solutions: Vec<Solution>,
+}
+
+/// Solves for each layout and writes the result in the form asked for.
+pub fn run(args: &DesignArgs, ui: &UiFlags) -> Outcome {
+    let loaded = args.source.load(ui)?;
+    let inputs = args.solve.map_or(SOLVED.to_vec(), |one| vec![one]);
+    let solved: Vec<Solved> = loaded
+        .cases
+        .into_iter()
+        .map(|c| {
+            let case = c.study();
+            let asked = Requirement::asked(&case.question);
+            let pairs = inputs.iter().flat_map(|i| asked.iter().map(move |r| (*i, *r)));
+            let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r)).collect();
+            Solved { name: c.name, outcome: case.outcome(), solutions, case }
+        })
+        .collect();
+    if !solved.is_empty() && solved.iter().all(|s| s.solutions.is_empty()) {
+        return Err(Fault::input(
+            "there is nothing to design for; give --force or --deflection, or put a design_force or an allowable_deflection in the project",
+        ));
+    }
+    match args.format {
+        TableFormat::Text => result(text::report(&solved, loaded.unit)),
+        TableFormat::Json => result(data::json(&solved, loaded.several)?),
+        TableFormat::Csv => result(data::csv(&solved, loaded.several)),
+    }
+}

@@ -1,0 +1,172 @@
+//! Design solutions as sentences.
+
+use super::Solved;
+use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
+use crate::forecast::warning::{Warning, Weight};
+use crate::study::case::{Outcome, Point};
+use crate::study::solve::{Crossing, Kind, Place, Requirement, Solution};
+use crate::units::{LengthUnit, force_text};
+
+/// The reports of all layouts, an empty line between them.
+pub fn report(solved: &[Solved], unit: LengthUnit) -> String {
+    if solved.is_empty() {
+        return NO_LAYOUTS.to_string();
+    }
+    let all: Vec<String> = solved.iter().map(|s| one(s, unit)).collect();
+    all.join("\n")
+}
+
+fn one(s: &Solved, unit: LengthUnit) -> String {
+    let mut page = Page::new(unit);
+    page.inputs("design", s.name.as_deref(), s.case.fingerprint(), &s.case);
+    if s.solutions.is_empty() {
+        page.line("asked", "nothing: no design force, no allowable deflection");
+        return page.text();
+    }
+    asked(&mut page, s);
+    match &s.outcome {
+        Ok(point) => {
+            let v = point.values();
+            page.line(
+                "FIELD",
+                format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection)),
+            );
+            page.design(&point.answer, &s.case.question);
+        }
+        Err(_) => page.line("field", "no value as it stands: the punch is on a plate"),
+    }
+    let mut heading = None;
+    for solution in &s.solutions {
+        if heading != Some(solution.input) {
+            heading = Some(solution.input);
+            let (min, max) = (page.entry(solution.range.min), page.entry(solution.range.max));
+            page.lines.push(String::new());
+            page.line(
+                &format!("SOLVE {}", solution.input.word()),
+                format!(
+                    "{}, searched from {min} to {max}, all else as it stands",
+                    solution.range.words
+                ),
+            );
+        }
+        sentences(&mut page, solution);
+    }
+    page.lines.push(String::new());
+    page.line("basis", BASIS);
+    page.text()
+}
+
+fn asked(page: &mut Page, s: &Solved) {
+    let q = &s.case.question;
+    let mut words = Vec::new();
+    if let Some(force) = q.force {
+        words.push(format!("carry {}", force_text(force)));
+    }
+    if let Some(deflection) = q.deflection {
+        let what = if q.force.is_some() { "at that force" } else { "at failure" };
+        words.push(format!("deflect at most {} {what}", page.entry(deflection)));
+    }
+    page.line("asked", words.join(", "));
+}
+
+fn sentences(page: &mut Page, s: &Solution) {
+    let head = format!("  {}", s.requirement.word());
+    if s.always() {
+        let ends: Vec<String> = s.ends.iter().map(|e| place(page, e, s.requirement)).collect();
+        page.line(&head, format!("met in the whole range: {}", ends.join("; ")));
+        return;
+    }
+    if s.never() {
+        let mut ends: Vec<String> = s.ends.iter().map(|e| place(page, e, s.requirement)).collect();
+        if let Some(best) = s.best.as_ref().filter(|b| s.ends.iter().all(|e| e.value != b.value)) {
+            ends.push(format!("nearest: {}", place(page, best, s.requirement)));
+        }
+        page.line(&head, format!("NOT MET anywhere in the range: {}", ends.join("; ")));
+        return;
+    }
+    let spans: Vec<String> = s
+        .spans
+        .iter()
+        .map(|span| format!("from {} to {}", length(page, span.from), length(page, span.to)))
+        .collect();
+    page.line(&head, format!("met {}", spans.join(" and ")));
+    for c in &s.crossings {
+        let text = crossing(page, c, s);
+        page.line("", text);
+    }
+}
+
+/// A length at a tenth of a millimetre.
+fn length(page: &Page, metres: f64) -> String {
+    match page.unit {
+        LengthUnit::Metre => format!("{metres:.4} m"),
+        LengthUnit::Millimetre => format!("{:.1} mm", metres * 1000.0),
+    }
+}
+
+fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
+    let (word, at) = (s.input.word(), length(page, c.value));
+    let side = if c.met_above { "or more" } else { "or less" };
+    let mut text = match c.kind {
+        Kind::Exact => {
+            let take = match c.rounded {
+                Some(r) => format!(" (take {} {side})", page.length(r)),
+                None => String::new(),
+            };
+            format!("{word} {at} just meets it{take}: {}", values(page, &c.point))
+        }
+        Kind::Jump => format!(
+            "at {word} {at} the forecast jumps (branch of A.1-A.2): met with {}, not beyond with {}",
+            values(page, &c.point),
+            outcome(page, &c.beyond)
+        ),
+        Kind::Edge => format!(
+            "{word} {at} is the end of the method, beyond it {}: {}",
+            outcome(page, &c.beyond),
+            values(page, &c.point)
+        ),
+    };
+    let heavy = |w: &&Warning| w.weight() >= Weight::Caution;
+    for warning in c.point.warnings.iter().filter(heavy) {
+        text.push_str(&format!("; ! {}", warning.short()));
+    }
+    text
+}
+
+fn values(page: &Page, p: &Point) -> String {
+    let v = p.values();
+    let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
+    if let Some(at) = &p.answer.at_force {
+        text.push_str(&format!(", use {} %", percent(at.utilisation)));
+        if let Some(reached) = at.deflection {
+            text.push_str(&format!(", {} at the load", page.length(reached)));
+        }
+    }
+    text
+}
+
+fn outcome(page: &Page, o: &Outcome) -> String {
+    match o {
+        Ok(p) => values(page, p),
+        Err(why) if why.code() == "punch_on_plate" => "the punch is on a plate".to_string(),
+        Err(_) => "plate or punch is as large as the spacing".to_string(),
+    }
+}
+
+fn place(page: &Page, p: &Place, requirement: Requirement) -> String {
+    let at = page.length(p.value);
+    let Ok(point) = &p.outcome else { return format!("at {at} {}", outcome(page, &p.outcome)) };
+    let used = point.utilisation().map(|u| format!("use {} %", percent(u)));
+    let reached = match &point.answer.at_force {
+        None => page.length(point.values().deflection),
+        Some(force) => match force.deflection {
+            Some(reached) => page.length(reached),
+            None => "failure before the load".to_string(),
+        },
+    };
+    match (requirement, used) {
+        (Requirement::Force, Some(used)) => format!("at {at} {used}"),
+        (Requirement::Both, Some(used)) => format!("at {at} {used}, {reached}"),
+        _ => format!("at {at} {reached}"),
+    }
+}

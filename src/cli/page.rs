@@ -1,0 +1,183 @@
+//! A text for people: lines of at most 80 columns with a word in front.
+
+use super::VERSION;
+use super::output::wrapped;
+use crate::fingerprint::Fingerprint;
+use crate::forecast::design::{Answer, Question};
+use crate::study::case::{Case, Input};
+use crate::units::{
+    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj, to_kn,
+};
+
+/// What stands with every answer: what the method is a forecast of.
+pub const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
+
+/// Widest line, columns.
+pub const WIDTH: usize = 80;
+/// Columns of the words in front.
+pub const MARGIN: usize = 14;
+
+/// The lines of one layout.
+#[derive(Debug)]
+pub struct Page {
+    /// Lines so far, each at most [`WIDTH`] columns.
+    pub lines: Vec<String>,
+    /// Unit of lengths.
+    pub unit: LengthUnit,
+}
+
+impl Page {
+    /// An empty page.
+    pub fn new(unit: LengthUnit) -> Page {
+        Page { lines: Vec::new(), unit }
+    }
+
+    /// A line, or more if the text is long, with a word in front.
+    pub fn line(&mut self, head: &str, text: impl AsRef<str>) {
+        self.lines.extend(wrapped(&format!("{head:<MARGIN$}"), text.as_ref(), WIDTH));
+    }
+
+    /// A computed length.
+    pub fn length(&self, metres: f64) -> String {
+        length_text(metres, self.unit)
+    }
+
+    /// A length as entered.
+    pub fn entry(&self, metres: f64) -> String {
+        format!("{} {}", length_entry(metres, self.unit), self.unit.symbol())
+    }
+    /// What a result is of: the layout's name or the command's, version, fingerprint, inputs, mesh.
+    pub fn inputs(
+        &mut self,
+        command: &str,
+        name: Option<&str>,
+        fingerprint: Fingerprint,
+        case: &Case,
+    ) {
+        let made_by = format!("meshcast {VERSION}, inputs {fingerprint}");
+        match name {
+            Some(name) => self.line("layout", format!("{name}   [{made_by}]")),
+            None => self.line(command, format!("[{made_by}]")),
+        }
+        let l = &case.layout;
+        let text = format!(
+            "d {}, L {}, D {}, ex {}, ey {}",
+            self.entry(l.plate),
+            self.entry(l.spacing),
+            self.entry(l.punch),
+            self.entry(l.ex),
+            self.entry(l.ey)
+        );
+        self.line("inputs", text);
+        self.line("mesh", format!("{} ({})", case.mesh.id, case.mesh.title()));
+    }
+
+    /// The answer to a design question.
+    pub fn design(&mut self, answer: &Answer, question: &Question) {
+        let (on_load, on_resistance) =
+            (shortest(question.gamma_load), shortest(question.gamma_resistance));
+        self.line(
+            "design",
+            format!(
+                "resistance {} with gamma_resistance {on_resistance}; gamma_load {on_load}",
+                force_text(answer.resistance)
+            ),
+        );
+        if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
+            let deflection = match at.deflection {
+                Some(reached) => format!("at {}", self.length(reached)),
+                None => "beyond failure".to_string(),
+            };
+            let allowable = match at.within_allowable {
+                Some(true) => ", within the allowable",
+                Some(false) => ", over the allowable",
+                None => "",
+            };
+            let enough = if at.utilisation > 1.0 { "NOT ENOUGH" } else { "enough" };
+            self.line(
+                "  at force",
+                format!(
+                    "{} factored to {}: use {} % ({enough}), {deflection}{allowable}",
+                    force_text(force),
+                    force_text(at.load),
+                    percent(at.utilisation)
+                ),
+            );
+        }
+        if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
+            let fails = if at.beyond_failure { " (fails before)" } else { "" };
+            self.line(
+                "  at delta",
+                format!(
+                    "{}{fails}: {} mobilised, {} factored, {} kJ",
+                    self.entry(deflection),
+                    force_text(at.force),
+                    force_text(at.design_force),
+                    significant(to_kj(at.energy), 3)
+                ),
+            );
+        }
+    }
+
+    /// The lines as a text.
+    pub fn text(&self) -> String {
+        self.lines.join("\n") + "\n"
+    }
+}
+
+/// What a result says where there is no layout.
+pub const NO_LAYOUTS: &str = "The project has no layouts.\n";
+
+/// A utilisation in per cent at three digits, and at four where three would hide which side of 100 it
+/// is on: `96.1`, `100.2`.
+pub fn percent(utilisation: f64) -> String {
+    let text = significant(utilisation * 100.0, 3);
+    // What just meets a limit does so to rounding.
+    if text == "100" && (utilisation - 1.0).abs() > 1e-9 {
+        return significant(utilisation * 100.0, 4);
+    }
+    text
+}
+
+/// A value of a study's input in the unit shown, without its sign: lengths at a tenth of a millimetre,
+/// forces at four digits.
+pub fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
+    if input.is_force() {
+        return significant(to_kn(value), 4);
+    }
+    let (decimals, least) = match unit {
+        LengthUnit::Metre => (4, 2),
+        LengthUnit::Millimetre => (1, 0),
+    };
+    // Never the negative zero.
+    let mut text = format!("{:.decimals$}", value * unit.per_metre() + 0.0);
+    for _ in least..decimals {
+        if text.ends_with('0') {
+            text.pop();
+        }
+    }
+    text.trim_end_matches('.').to_string()
+}
+
+/// The sign of the unit in which an input is shown.
+pub fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
+    if input.is_force() { "kN" } else { unit.symbol() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_do_not_hide_a_limit() {
+        assert_eq!([percent(0.961), percent(1.002), percent(1.0)], ["96.1", "100.2", "100"]);
+        let m = |v| input_value(Input::Spacing, v, LengthUnit::Metre);
+        assert_eq!(
+            [m(2.0), m(1.125), m(-0.038_46), m(10.25)],
+            ["2.00", "1.125", "-0.0385", "10.25"]
+        );
+        let mm = |v| input_value(Input::Spacing, v, LengthUnit::Millimetre);
+        assert_eq!([mm(2.0), mm(0.1125), mm(0.0)], ["2000", "112.5", "0"]);
+        assert_eq!(input_value(Input::LabForce, 73_300.0, LengthUnit::Metre), "73.30");
+    }
+}

@@ -1,0 +1,148 @@
+//! Parts of JSON results that several commands share, by the names that `forecast` gave them: SI with
+//! kN.
+
+use super::output::{number, optional};
+use crate::forecast::Values;
+use crate::forecast::design::{Answer, Question};
+use crate::forecast::warning::Warning;
+use crate::layout::{BranchRule, Layout};
+use crate::mesh::MeshType;
+use crate::units::{to_kj, to_kn};
+use serde::Serialize;
+
+/// The inputs of a layout.
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct InputsJson<'a> {
+    #[serde(serialize_with = "number")]
+    pub d_m: f64,
+    #[serde(serialize_with = "number")]
+    pub L_m: f64,
+    #[serde(serialize_with = "number")]
+    pub D_m: f64,
+    #[serde(serialize_with = "number")]
+    pub ex_m: f64,
+    #[serde(serialize_with = "number")]
+    pub ey_m: f64,
+    pub mesh: &'a str,
+    pub branch: &'static str,
+}
+
+/// A force with its deflection.
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct Pair {
+    #[serde(serialize_with = "number")]
+    pub F_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub delta_m: f64,
+}
+
+/// The answer to a design question, with the factors that act.
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct Design {
+    #[serde(serialize_with = "number")]
+    pub gamma_resistance: f64,
+    #[serde(serialize_with = "number")]
+    pub gamma_load: f64,
+    #[serde(serialize_with = "number")]
+    pub resistance_kN: f64,
+    pub at_force: Option<AtForce>,
+    pub at_deflection: Option<AtDeflection>,
+}
+
+/// For the design force.
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct AtForce {
+    #[serde(serialize_with = "number")]
+    pub F_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub load_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub utilisation: f64,
+    #[serde(serialize_with = "number")]
+    pub margin_kN: f64,
+    #[serde(serialize_with = "optional")]
+    pub delta_m: Option<f64>,
+    pub within_allowable: Option<bool>,
+}
+
+/// For the allowable deflection.
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct AtDeflection {
+    #[serde(serialize_with = "number")]
+    pub delta_m: f64,
+    #[serde(serialize_with = "number")]
+    pub F_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub design_F_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub energy_kJ: f64,
+    pub beyond_failure: bool,
+}
+
+/// A warning.
+#[derive(Serialize)]
+pub struct WarningJson {
+    pub code: &'static str,
+    pub weight: &'static str,
+    pub message: String,
+}
+
+/// A force with its deflection, converted.
+pub fn pair(values: Values) -> Pair {
+    Pair { F_kN: to_kn(values.force), delta_m: values.deflection }
+}
+
+impl<'a> InputsJson<'a> {
+    /// Of a layout with its mesh.
+    pub fn of(layout: &Layout, mesh: &'a MeshType, rule: BranchRule) -> InputsJson<'a> {
+        InputsJson {
+            d_m: layout.plate,
+            L_m: layout.spacing,
+            D_m: layout.punch,
+            ex_m: layout.ex,
+            ey_m: layout.ey,
+            mesh: &mesh.id,
+            branch: rule.word(),
+        }
+    }
+}
+
+impl WarningJson {
+    /// Of a warning.
+    pub fn of(w: &Warning) -> WarningJson {
+        WarningJson { code: w.code(), weight: w.weight().word(), message: w.message() }
+    }
+}
+
+impl Design {
+    /// Of an answer to a question.
+    pub fn of(answer: &Answer, question: &Question) -> Design {
+        Design {
+            gamma_resistance: question.gamma_resistance,
+            gamma_load: question.gamma_load,
+            resistance_kN: to_kn(answer.resistance),
+            at_force: answer.at_force.zip(question.force).map(|(at, force)| AtForce {
+                F_kN: to_kn(force),
+                load_kN: to_kn(at.load),
+                utilisation: at.utilisation,
+                margin_kN: to_kn(at.margin),
+                delta_m: at.deflection,
+                within_allowable: at.within_allowable,
+            }),
+            at_deflection: answer.at_deflection.zip(question.deflection).map(|(at, deflection)| {
+                AtDeflection {
+                    delta_m: deflection,
+                    F_kN: to_kn(at.force),
+                    design_F_kN: to_kn(at.design_force),
+                    energy_kJ: to_kj(at.energy),
+                    beyond_failure: at.beyond_failure,
+                }
+            }),
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! A sweep as JSON and CSV: SI with kN, points along the first input, row after row.
+
+use super::Swept;
+use crate::cli::VERSION;
+use crate::cli::output::{Fault, cell, json_list, number, quoted};
+use crate::cli::page::BASIS;
+use crate::cli::shapes::InputsJson;
+use crate::study::case::{Input, Outcome};
+use crate::study::sweep::{Axis, Grid};
+use crate::units::{to_kn, without_noise};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use std::fmt::Write;
+
+/// One object, or a list of them with one line each.
+pub fn json(swept: &[Swept], several: bool) -> Result<String, Fault> {
+    json_list(swept.iter().map(Report::of), several)
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layout: Option<&'a str>,
+    version: &'static str,
+    fingerprint: String,
+    /// Of the layout itself; each point replaces what is varied.
+    inputs: InputsJson<'a>,
+    vary: AxisJson,
+    vary2: Option<AxisJson>,
+    points: Vec<PointJson<'a>>,
+    basis: &'static str,
+}
+
+#[derive(Serialize)]
+struct AxisJson {
+    input: &'static str,
+    column: &'static str,
+    #[serde(serialize_with = "number")]
+    from: f64,
+    #[serde(serialize_with = "number")]
+    to: f64,
+    steps: usize,
+}
+
+/// A point: what is varied by its column's name, then what it gives.
+struct PointJson<'a> {
+    varied: [Option<(&'static str, f64)>; 2],
+    outcome: &'a Outcome,
+}
+
+/// What a point gives, in the units of output.
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct ValuesJson {
+    F_kN: Option<f64>,
+    delta_m: Option<f64>,
+    utilisation: Option<f64>,
+    missing: Option<&'static str>,
+    warnings: Vec<&'static str>,
+}
+
+impl Serialize for PointJson<'_> {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        let mut map = s.serialize_map(None)?;
+        for (column, value) in self.varied.iter().flatten() {
+            map.serialize_entry(column, &without_noise(*value))?;
+        }
+        let v = ValuesJson::of(self.outcome);
+        map.serialize_entry("F_kN", &v.F_kN.map(without_noise))?;
+        map.serialize_entry("delta_m", &v.delta_m.map(without_noise))?;
+        map.serialize_entry("utilisation", &v.utilisation.map(without_noise))?;
+        map.serialize_entry("missing", &v.missing)?;
+        map.serialize_entry("warnings", &v.warnings)?;
+        map.end()
+    }
+}
+
+impl ValuesJson {
+    fn of(outcome: &Outcome) -> ValuesJson {
+        let point = outcome.as_ref().ok();
+        ValuesJson {
+            F_kN: point.map(|p| to_kn(p.values().force)),
+            delta_m: point.map(|p| p.values().deflection),
+            utilisation: point.and_then(|p| p.utilisation()),
+            missing: outcome.as_ref().err().map(|why| why.code()),
+            warnings: point.iter().flat_map(|p| p.warnings.iter().map(|w| w.code())).collect(),
+        }
+    }
+}
+
+/// A value of an input in its unit of output.
+fn shown(input: Input, value: f64) -> f64 {
+    if input.is_force() { to_kn(value) } else { value }
+}
+
+fn varied(grid: &Grid, index: usize) -> [Option<(&'static str, f64)>; 2] {
+    let (first, second) = grid.at(index);
+    let of = |axis: &Axis, value| (axis.input.column(), shown(axis.input, value));
+    [Some(of(&grid.first, first)), grid.second.as_ref().zip(second).map(|(a, v)| of(a, v))]
+}
+
+impl<'a> Report<'a> {
+    fn of(s: &'a Swept) -> Report<'a> {
+        let grid = &s.sweep.grid;
+        let axis = |a: &Axis| AxisJson {
+            input: a.input.word(),
+            column: a.input.column(),
+            from: shown(a.input, a.from),
+            to: shown(a.input, a.to),
+            steps: a.steps,
+        };
+        let points = s.sweep.points.iter().enumerate();
+        Report {
+            layout: s.name.as_deref(),
+            version: VERSION,
+            fingerprint: grid.fingerprint(&s.case).to_string(),
+            inputs: InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            vary: axis(&grid.first),
+            vary2: grid.second.as_ref().map(axis),
+            points: points
+                .map(|(index, outcome)| PointJson { varied: varied(grid, index), outcome })
+                .collect(),
+            basis: BASIS,
+        }
+    }
+}
+
+/// One line a point.
+pub fn csv(swept: &[Swept], grid: &Grid, several: bool) -> String {
+    let mut out = String::from(if several { "layout," } else { "" });
+    for axis in std::iter::once(&grid.first).chain(&grid.second) {
+        out.push_str(axis.input.column());
+        out.push(',');
+    }
+    out.push_str("F_kN,delta_m,utilisation,missing,warnings\n");
+    for s in swept {
+        let name = match &s.name {
+            Some(name) if several => format!("{},", quoted(name)),
+            _ => String::new(),
+        };
+        for (index, outcome) in s.sweep.points.iter().enumerate() {
+            out.push_str(&name);
+            for (_, value) in varied(grid, index).into_iter().flatten() {
+                out.push_str(&cell(Some(value)));
+                out.push(',');
+            }
+            let v = ValuesJson::of(outcome);
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                out,
+                "{},{},{},{},{}",
+                cell(v.F_kN),
+                cell(v.delta_m),
+                cell(v.utilisation),
+                v.missing.unwrap_or_default(),
+                v.warnings.join(";")
+            );
+        }
+    }
+    out
+}

@@ -1,0 +1,160 @@
+//! `meshcast sweep`: one input over a range, or two over a grid.
+//!
+//! - [`text`]: a line plotted in characters; [`map`]: a grid as shaded cells; [`data`]: JSON and CSV.
+
+mod data;
+mod map;
+mod text;
+
+use super::UiFlags;
+use super::case::Source;
+use super::output::{Fault, Outcome, TableFormat, result};
+use crate::problem::Problem;
+use crate::study::case::{Case, Input};
+use crate::study::sweep::{Axis, Grid, Sweep, sweep};
+use crate::units::{LengthUnit, Quantity, parse};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+/// F, delta and utilisation over a range of one input, or over a grid of two.
+///
+/// Inputs: d, L, D, ex, ey (m), Fl (laboratory force F_l*, kN), dl (laboratory deflection delta_l*, m).
+#[derive(Debug, Args)]
+pub struct SweepArgs {
+    #[command(flatten)]
+    source: Source,
+    #[command(flatten)]
+    ranges: Ranges,
+    /// How the result is written: JSON and CSV in SI with kN.
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Ranges (both ends belong to them)")]
+struct Ranges {
+    /// The input to vary.
+    #[arg(long, value_name = "INPUT", value_parser = input())]
+    vary: Input,
+    /// Its first value.
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    from: String,
+    /// Its last value.
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    to: String,
+    /// Number of values, both ends included.
+    #[arg(long, value_name = "N", default_value_t = 21)]
+    steps: usize,
+    /// A second input: the result is a map.
+    #[arg(long, value_name = "INPUT", value_parser = input(), requires_all = ["from2", "to2"])]
+    vary2: Option<Input>,
+    /// Its first value.
+    #[arg(long, value_name = "M", requires = "vary2", allow_hyphen_values = true)]
+    from2: Option<String>,
+    /// Its last value.
+    #[arg(long, value_name = "M", requires = "vary2", allow_hyphen_values = true)]
+    to2: Option<String>,
+    /// Number of its values [default: 11].
+    #[arg(long, value_name = "N", requires = "vary2")]
+    steps2: Option<usize>,
+}
+
+/// Values of the second input, where their number is not given.
+const STEPS_2: usize = 11;
+
+fn input() -> impl TypedValueParser<Value = Input> {
+    PossibleValuesParser::new(Input::ALL.map(Input::word)).map(|word| {
+        // One of these words, as the parser in front sees to.
+        Input::ALL.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
+    })
+}
+
+/// One layout with its sweep.
+#[derive(Debug)]
+struct Swept {
+    name: Option<String>,
+    case: Case,
+    sweep: Sweep,
+}
+
+impl Ranges {
+    fn grid(&self) -> Result<Grid, Fault> {
+        let value = |flag: &str, text: &str, input: Input| {
+            let (quantity, how) = if input.is_force() {
+                (Quantity::Force, "a force in kN or with a unit such as 73300N")
+            } else {
+                (Quantity::Length, "a length in metres or with a unit such as 250mm")
+            };
+            parse(text, quantity, LengthUnit::Metre).map_err(|e| {
+                Fault::input(
+                    Problem::new(flag, e.to_string())
+                        .value(format!("{text:?}"))
+                        .allowed(how)
+                        .to_string(),
+                )
+            })
+        };
+        let first = Axis {
+            input: self.vary,
+            from: value("--from", &self.from, self.vary)?,
+            to: value("--to", &self.to, self.vary)?,
+            steps: self.steps,
+        };
+        let second = match (self.vary2, &self.from2, &self.to2) {
+            (Some(input), Some(from), Some(to)) => Some(Axis {
+                input,
+                from: value("--from2", from, input)?,
+                to: value("--to2", to, input)?,
+                steps: self.steps2.unwrap_or(STEPS_2),
+            }),
+            _ => None,
+        };
+        Grid::new(first, second).map_err(|found| {
+            Fault::Input(found.into_iter().map(|p| placed(p).to_string()).collect())
+        })
+    }
+}
+
+/// A problem of an axis at its flag.
+fn placed(mut problem: Problem) -> Problem {
+    problem.field = match problem.field.as_str() {
+        "first.from" => "--from",
+        "first.to" => "--to",
+        "first.steps" => "--steps",
+        "second.from" => "--from2",
+        "second.to" => "--to2",
+        "second.steps" => "--steps2",
+        "second" => "--vary2",
+        other => other,
+    }
+    .to_string();
+    problem
+}
+
+/// Sweeps each layout and writes the result in the form asked for.
+pub fn run(args: &SweepArgs, ui: &UiFlags) -> Outcome {
+    let grid = args.ranges.grid()?;
+    let loaded = args.source.load(ui).or_else(|fault| {
+        // What is varied need not make sense at its default beside the other flags: an end of the
+        // range stands in for it.
+        let end = |of: fn(&Axis) -> f64| {
+            let axes = std::iter::once(&grid.first).chain(&grid.second);
+            let defaults: Vec<(Input, f64)> = axes.map(|axis| (axis.input, of(axis))).collect();
+            args.source.with_defaults(&defaults).load(ui)
+        };
+        end(|axis| axis.from).or_else(|_| end(|axis| axis.to)).map_err(|_| fault)
+    })?;
+    let swept: Vec<Swept> = loaded
+        .cases
+        .into_iter()
+        .map(|c| {
+            let case = c.study();
+            Swept { sweep: sweep(&case, grid.clone()), name: c.name, case }
+        })
+        .collect();
+    match args.format {
+        TableFormat::Text => result(text::report(&swept, loaded.unit)),
+        TableFormat::Json => result(data::json(&swept, loaded.several)?),
+        TableFormat::Csv => result(data::csv(&swept, &grid, loaded.several)),
+    }
+}

@@ -1,0 +1,158 @@
+//! A sweep as a text: a line of one input with its plot turned on its side, or a map of two.
+
+use super::{Swept, map};
+use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
+use crate::study::case::Outcome;
+use crate::study::sweep::{Axis, extent};
+use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};
+
+/// The reports of all layouts, an empty line between them.
+pub fn report(swept: &[Swept], unit: LengthUnit) -> String {
+    if swept.is_empty() {
+        return NO_LAYOUTS.to_string();
+    }
+    let all: Vec<String> = swept.iter().map(|s| one(s, unit)).collect();
+    all.join("\n")
+}
+
+fn one(s: &Swept, unit: LengthUnit) -> String {
+    let mut page = Page::new(unit);
+    let grid = &s.sweep.grid;
+    page.inputs("sweep", s.name.as_deref(), grid.fingerprint(&s.case), &s.case);
+    for axis in std::iter::once(&grid.first).chain(&grid.second) {
+        page.line("vary", range(axis, unit));
+    }
+    if let Some(force) = s.case.question.force {
+        let q = &s.case.question;
+        page.line(
+            "design",
+            format!(
+                "{}, gamma_load {}, gamma_resistance {}",
+                force_text(force),
+                shortest(q.gamma_load),
+                shortest(q.gamma_resistance)
+            ),
+        );
+    }
+    match &grid.second {
+        None => line_plot(&mut page, s),
+        Some(second) => map::draw(&mut page, s, second),
+    }
+    codes(&mut page, &s.sweep.points);
+    page.line("basis", BASIS);
+    page.text()
+}
+
+fn range(axis: &Axis, unit: LengthUnit) -> String {
+    format!(
+        "{} from {} to {} {} in {} values",
+        axis.input.symbol(),
+        input_value(axis.input, axis.from, unit),
+        input_value(axis.input, axis.to, unit),
+        input_unit(axis.input, unit),
+        axis.steps
+    )
+}
+
+/// A deflection in the unit shown, without its sign.
+pub fn deflection(metres: f64, unit: LengthUnit) -> String {
+    match unit {
+        LengthUnit::Metre => format!("{metres:.3}"),
+        LengthUnit::Millimetre => format!("{:.0}", metres * unit.per_metre()),
+    }
+}
+
+fn line_plot(page: &mut Page, s: &Swept) {
+    let (unit, input, points) = (page.unit, s.sweep.grid.first.input, &s.sweep.points);
+    let forces = extent(points, |p| Some(p.values().force));
+    let deflections = extent(points, |p| Some(p.values().deflection));
+    let (Some(forces), Some(deflections)) = (forces, deflections) else {
+        page.line("field", "no value anywhere in the range");
+        return;
+    };
+    let kn = |v: f64| significant(to_kn(v), 3);
+    page.line(
+        "plot",
+        format!(
+            "F from {} to {} kN, x delta_a from {} to {} {}, * both, left to right{}",
+            kn(forces.0),
+            kn(forces.1),
+            deflection(deflections.0, unit),
+            deflection(deflections.1, unit),
+            unit.symbol(),
+            if s.case.question.force.is_some() { "; : where use is 100 %" } else { "" }
+        ),
+    );
+    page.lines.push(String::new());
+    let asked = s.case.question.force.is_some();
+    let used = if asked { format!("{:>7}", "use %") } else { String::new() };
+    let head = format!("{} {}", input.symbol(), input_unit(input, unit));
+    let delta = format!("delta {}", unit.symbol());
+    let front = format!("{head:>11}{:>8}{delta:>10}{used}   ", "F_a kN");
+    let width = WIDTH - front.len() - 2;
+    page.lines.push(front.trim_end().to_string());
+    for (at, outcome) in s.sweep.grid.columns.iter().zip(points) {
+        let at = input_value(input, *at, unit);
+        let line = match outcome {
+            Err(why) => format!("{at:>11}{:>18}", why.short()),
+            Ok(p) => {
+                let v = p.values();
+                let used = match p.utilisation() {
+                    Some(u) => format!("{:>7}", percent(u)),
+                    None => String::new(),
+                };
+                let mark = if p.doubtful() { "!" } else { " " };
+                // F_a at which the factored resistance is the factored load.
+                let needed = p.answer.at_force.map(|at| at.utilisation * v.force);
+                let drawn = row(
+                    width,
+                    [
+                        (needed, forces, ':'),
+                        (Some(v.deflection), deflections, 'x'),
+                        (Some(v.force), forces, 'F'),
+                    ],
+                );
+                format!(
+                    "{at:>11}{:>8}{:>10}{used} {mark} |{drawn}|",
+                    kn(v.force),
+                    deflection(v.deflection, unit)
+                )
+            }
+        };
+        page.lines.push(line);
+    }
+    page.lines.push(String::new());
+}
+
+/// One line of the plot: each value at its place between the ends of its extent.
+fn row(width: usize, signs: [(Option<f64>, (f64, f64), char); 3]) -> String {
+    let mut cells = vec![' '; width];
+    for (value, (least, most), sign) in signs {
+        let Some(value) = value.filter(|v| (least..=most).contains(v)) else { continue };
+        let part = if most > least { (value - least) / (most - least) } else { 0.5 };
+        let at = (part * (width - 1) as f64).round() as usize;
+        if let Some(cell) = cells.get_mut(at) {
+            *cell = if *cell == 'x' && sign == 'F' { '*' } else { sign };
+        }
+    }
+    cells.into_iter().collect()
+}
+
+/// What the points warn of, with how many of them do.
+fn codes(page: &mut Page, points: &[Outcome]) {
+    let mut counted: Vec<(&'static str, usize)> = Vec::new();
+    let mut count = |code: &'static str| match counted.iter_mut().find(|(c, _)| *c == code) {
+        Some((_, n)) => *n += 1,
+        None => counted.push((code, 1)),
+    };
+    for outcome in points {
+        match outcome {
+            Ok(p) => p.warnings.iter().for_each(|w| count(w.code())),
+            Err(why) => count(why.code()),
+        }
+    }
+    let all = points.len();
+    for (code, n) in counted {
+        page.line("warning", format!("{code}: {n} of {all} points"));
+    }
+}
