@@ -1,13 +1,17 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`mesh`], [`new`], [`validate`]: the subcommands; [`interactive`]: none of them.
+//! - [`export`], [`forecast`], [`mesh`], [`new`], [`report`], [`validate`]: the subcommands;
+//!   [`interactive`]: none of them.
 //! - [`case`]: one layout to forecast, from a project file, flags and defaults.
+//! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
 //! - [`output`]: results to standard output, errors to standard error, exit codes.
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
 
 pub mod case;
+pub mod destination;
+pub mod export;
 pub mod flags;
 pub mod forecast;
 pub mod interactive;
@@ -16,8 +20,11 @@ mod nearest;
 pub mod new;
 pub mod output;
 pub mod quantity;
+pub mod report;
+pub mod source;
 pub mod validate;
 
+pub use crate::VERSION;
 pub use flags::UiFlags;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -25,9 +32,6 @@ use output::{Fault, Outcome};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-
-/// Version and commit: `0.1.0 (abcdef123456)`.
-pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("MESHCAST_COMMIT"), ")");
 
 const USAGE: &str = "meshcast [OPTIONS] [PROJECT.ron]\n       meshcast [OPTIONS] <COMMAND>";
 
@@ -37,6 +41,8 @@ Examples:
   meshcast forecast -d 250mm -L 2.5 -D 0.6       one layout, as a text
   meshcast forecast road-cut.ron --format json   every layout of a project
   meshcast forecast road-cut.ron --layout 'bench 2' --format csv > curve.csv
+  meshcast export road-cut.ron --what chart -o road-cut.svg
+  meshcast report road-cut.ron -o road-cut.html  all numbers and how to repeat them
 
 Bare numbers are metres and kilonewtons. A project that is named like a command is
 opened by its path: meshcast ./mesh";
@@ -60,6 +66,8 @@ struct Root {
 enum Command {
     New(new::NewArgs),
     Forecast(Box<forecast::ForecastArgs>),
+    Export(export::ExportArgs),
+    Report(report::ReportArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -91,6 +99,8 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
     match command {
         Command::New(args) => new::run(&args),
         Command::Forecast(args) => forecast::run(&args, ui),
+        Command::Export(args) => export::run(&args, ui),
+        Command::Report(args) => report::run(&args, ui),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }
