@@ -5,6 +5,7 @@
 //!
 //! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
 //!   value; whether two results have the same inputs.
+//! - [`axis`]: round ticks for the axes of a chart, on the screen and on paper.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
@@ -12,16 +13,18 @@
 //! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles,
 //!   calibration, run time against error.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
+//! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.
 //! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
 //! - [`cli`]: the command line, one subcommand a file.
 
 pub mod app;
-
+pub mod axis;
 pub mod cli;
 pub mod curve;
 pub mod dem;
+pub mod export;
 pub mod fingerprint;
 pub mod forecast;
 pub mod layout;
@@ -32,3 +35,7 @@ pub mod study;
 pub mod term;
 pub mod ui;
 pub mod units;
+
+/// Version and commit of the program, which every result that is kept carries:
+/// `0.1.0 (abcdef123456)`.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("MESHCAST_COMMIT"), ")");

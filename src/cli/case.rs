@@ -274,7 +274,8 @@ pub fn unknown_mesh(place: &str, id: &str, known: &[String]) -> String {
     unknown(place, "there is no mesh of this identifier", id, &words)
 }
 
-fn unknown_layout(project: &Project, name: &str) -> String {
+/// What to say to a layout that the project does not have.
+pub fn unknown_layout(project: &Project, name: &str) -> String {
     let words: Vec<&str> = project.layouts.iter().map(|l| l.name.as_str()).collect();
     unknown("--layout", "the project has no layout of this name", name, &words)
 }

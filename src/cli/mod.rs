@@ -1,9 +1,11 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`mesh`], [`new`], [`validate`]: the subcommands; [`interactive`]: none of them.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies.
+//! - [`export`], [`forecast`], [`mesh`], [`new`], [`report`], [`validate`]: the subcommands;
+//!   [`interactive`]: none of them.
 //! - [`case`]: one layout to forecast, from a project file, flags and defaults.
+//! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
 //! - [`output`]: results to standard output, errors to standard error, exit codes.
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
@@ -11,6 +13,8 @@
 pub mod case;
 pub mod compare;
 pub mod design;
+pub mod destination;
+pub mod export;
 pub mod flags;
 pub mod forecast;
 pub mod interactive;
@@ -20,11 +24,14 @@ pub mod new;
 pub mod output;
 mod page;
 pub mod quantity;
+pub mod report;
 pub mod sensitivity;
 mod shapes;
+pub mod source;
 pub mod sweep;
 pub mod validate;
 
+pub use crate::VERSION;
 pub use flags::UiFlags;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -32,9 +39,6 @@ use output::{Fault, Outcome};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-
-/// Version and commit: `0.1.0 (abcdef123456)`.
-pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("MESHCAST_COMMIT"), ")");
 
 const USAGE: &str = "meshcast [OPTIONS] [PROJECT.ron]\n       meshcast [OPTIONS] <COMMAND>";
 
@@ -49,6 +53,8 @@ Examples:
   meshcast sweep -d 0.25 --vary L --from 2 --to 4.5 --steps 11
   meshcast sweep --vary L --from 2 --to 4 --vary2 D --from2 0.4 --to2 1.6
   meshcast design -d 0.25 --force 20 --gamma-load 1.3 --solve L
+  meshcast export road-cut.ron --what chart -o road-cut.svg
+  meshcast report road-cut.ron -o road-cut.html  all numbers and how to repeat them
 
 Bare numbers are metres and kilonewtons. A project that is named like a command is
 opened by its path: meshcast ./mesh";
@@ -76,6 +82,8 @@ enum Command {
     Sweep(Box<sweep::SweepArgs>),
     Compare(Box<compare::CompareArgs>),
     Design(Box<design::DesignArgs>),
+    Export(export::ExportArgs),
+    Report(report::ReportArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -111,6 +119,8 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
         Command::Sweep(args) => sweep::run(&args, ui),
         Command::Compare(args) => compare::run(&args, ui),
         Command::Design(args) => design::run(&args, ui),
+        Command::Export(args) => export::run(&args, ui),
+        Command::Report(args) => report::run(&args, ui),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

@@ -61,6 +61,11 @@ impl Document {
         name.map_or_else(|| "unnamed".to_string(), |n| n.to_string_lossy().into_owned())
     }
 
+    /// The text of the file when it was last read or written, to the byte; none if it was not on disk.
+    pub fn on_disk(&self) -> Option<&str> {
+        self.on_disk.as_deref()
+    }
+
     /// The project as opened or last saved.
     pub fn base(&self) -> &Project {
         &self.base

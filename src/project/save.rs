@@ -185,8 +185,17 @@ impl Document {
 /// # Errors
 /// [`SaveError::Exists`] if there is such a file, or what the system said.
 pub fn create(path: &Path, text: &str) -> Result<(), SaveError> {
+    write_file(path, text, Overwrite::No)
+}
+
+/// Writes a text to a file with the care that a project gets: in one step, on the disk, mode and
+/// symbolic links kept. For what is made from a project, such as a report.
+///
+/// # Errors
+/// [`SaveError::Exists`] if there is such a file and `overwrite` is no, or what the system said.
+pub fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), SaveError> {
     let target = resolve(path)?;
-    if current_text(&target)?.is_some() {
+    if current_text(&target)?.is_some() && overwrite == Overwrite::No {
         return Err(SaveError::Exists(path.to_path_buf()));
     }
     write_atomically(&target, text.as_bytes())

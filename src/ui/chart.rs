@@ -1,11 +1,11 @@
 //! The chart: forecast curve with its failure point, overlays, laboratory test, design lines.
 
-use super::axis::Axis;
 use super::canvas::{Canvas, Pattern, Pen};
 use super::text::{put, put_right, width};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::Derived;
+use crate::axis::Axis;
 use crate::curve::{Curve, Point};
 use crate::forecast::{Values, rescaled};
 use crate::units::{force_text, length_text, significant, to_kn};

@@ -19,7 +19,6 @@
 //! below 40x12 one line says so.
 
 pub mod answer;
-pub mod axis;
 pub mod canvas;
 pub mod chart;
 pub mod compact;

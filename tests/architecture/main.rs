@@ -6,7 +6,7 @@ mod source;
 use source::{SourceFile, files};
 
 /// Rooms on the ground, which everyone may use.
-const GROUND: &[&str] = &["curve", "fingerprint", "layout", "mesh", "problem", "units"];
+const GROUND: &[&str] = &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units"];
 
 /// Rooms from the ground up, each with the rooms it may use. A room that does not exist yet is no
 /// fault; a room that is missing here is one, because somebody has to say what it may use.
@@ -15,6 +15,7 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("problem", &[]),
     ("fingerprint", &[]),
     ("curve", &[]),
+    ("axis", &[]),
     ("layout", &[&["problem", "units"]]),
     ("mesh", &[&["problem", "units"]]),
     ("forecast", &[GROUND]),

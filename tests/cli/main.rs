@@ -1,6 +1,7 @@
 //! The built binary without a screen: results, errors, exit codes.
 
 mod errors;
+mod exporting;
 mod forecast_csv_and_text;
 mod forecast_json;
 mod program;

@@ -1,0 +1,69 @@
+//! Where a text goes: standard output, or a file that is never overwritten by chance.
+
+use super::output::{Fault, Outcome, Output};
+use crate::project::{Overwrite, SaveError, write_file};
+use clap::Args;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// Flags of commands that write a text.
+#[derive(Debug, Clone, Args)]
+pub struct Destination {
+    /// File to write; without it, or as `-`, standard output.
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    file: Option<PathBuf>,
+    /// Overwrite the file if there is one.
+    #[arg(long, requires = "file")]
+    force: bool,
+}
+
+impl Destination {
+    /// The file's ending, small letters, if there is a file with one.
+    pub fn ending(&self) -> Option<String> {
+        Some(self.path()?.extension()?.to_str()?.to_ascii_lowercase())
+    }
+
+    fn path(&self) -> Option<&Path> {
+        self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    /// Brings a text to its place; `source` is the file it was made from, which is never overwritten.
+    ///
+    /// # Errors
+    /// Why the file was not written; it is as it was then.
+    pub fn put(&self, text: String, notes: Vec<String>, source: &Path) -> Outcome {
+        let Some(path) = self.path() else {
+            return Ok(Output { result: text, notes, failed: false });
+        };
+        if same_file(path, source) {
+            return Err(Fault::input(format!(
+                "{} is the project itself, which is never overwritten; choose another name",
+                path.display()
+            )));
+        }
+        let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
+        write_file(path, &text, overwrite).map_err(fault)?;
+        Ok(Output { result: format!("{}\n", path.display()), notes, failed: false })
+    }
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
+fn fault(error: SaveError) -> Fault {
+    let said = error.to_string();
+    match error {
+        SaveError::Exists(path) => Fault::input(format!(
+            "{} exists already and is not overwritten; give --force, or choose another name",
+            path.display()
+        )),
+        SaveError::Io { ref error, .. } if error.kind() != ErrorKind::NotFound => {
+            Fault::Failure(said)
+        }
+        _ => Fault::input(said),
+    }
+}

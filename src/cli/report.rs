@@ -1,0 +1,51 @@
+//! `meshcast report`: a project, its results and how to repeat them, as one file.
+
+use super::UiFlags;
+use super::destination::Destination;
+use super::output::Outcome;
+use super::source::ProjectFile;
+use crate::export::{Report, Source};
+use clap::{Args, ValueEnum};
+
+/// Write a report that holds everything: inputs, method, values at each step, pictures, warnings.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    #[command(flatten)]
+    project: ProjectFile,
+    /// How to write it [default: by the file's ending, else html].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    #[command(flatten)]
+    to: Destination,
+}
+
+/// The form of a report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// One page for a browser, to read or to print.
+    Html,
+    /// Markdown (CommonMark with tables); the pictures stand at the end as data.
+    Md,
+}
+
+/// Writes the report.
+pub fn run(args: &ReportArgs, ui: &UiFlags) -> Outcome {
+    let (opened, cases) = args.project.open(None)?;
+    let file_name = opened.document.title();
+    let report = Report {
+        project: &opened.project,
+        cases: &cases,
+        checks: &[],
+        source: Source { file_name: &file_name, text: opened.document.on_disk(), edited: false },
+        unit: ui.units.unwrap_or(opened.project.display.length_unit),
+    };
+    let format = args.format.unwrap_or_else(|| match args.to.ending().as_deref() {
+        Some("md" | "markdown") => Format::Md,
+        _ => Format::Html,
+    });
+    let text = match format {
+        Format::Html => report.html(),
+        Format::Md => report.markdown(),
+    };
+    args.to.put(text, Vec::new(), &args.project.path)
+}

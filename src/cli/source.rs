@@ -1,0 +1,36 @@
+//! The project that a text is made from, with the results of its layouts.
+
+use super::case::unknown_layout;
+use super::output::Fault;
+use crate::export::{Case, cases};
+use crate::project::{Opened, load};
+use clap::Args;
+use std::path::PathBuf;
+
+/// A project file on the command line.
+#[derive(Debug, Clone, Args)]
+pub struct ProjectFile {
+    /// Project file.
+    #[arg(value_name = "PROJECT.ron")]
+    pub path: PathBuf,
+}
+
+impl ProjectFile {
+    /// Opens the project and forecasts its layouts, or the one of this name.
+    ///
+    /// # Errors
+    /// What is wrong in the file or with the name.
+    pub fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<Case>), Fault> {
+        let opened = load(&self.path)?;
+        let project = &opened.project;
+        let found = match only {
+            None => cases(project),
+            Some(name) => match project.find_layout(name) {
+                Some(layout) => Case::of(project, layout).map(|case| vec![case]),
+                None => return Err(Fault::input(unknown_layout(project, name))),
+            },
+        };
+        let all = found.map_err(|all| Fault::Input(all.iter().map(|p| p.to_string()).collect()))?;
+        Ok((opened, all))
+    }
+}

@@ -1,0 +1,95 @@
+//! The command lines that give the numbers of a layout again, to the last bit.
+
+use super::Case;
+use crate::layout::BranchRule;
+use crate::mesh::catalogue;
+use crate::units::{from_kn, shortest, to_kn};
+
+/// The command that forecasts a layout from its project file.
+pub fn from_file(file_name: &str, case: &Case) -> String {
+    // In one word, so that no name is taken for another flag.
+    let layout = format!("--layout={}", case.entry.name);
+    format!("meshcast forecast {} {}", file_word(file_name), quoted(&layout))
+}
+
+/// The name of a file as a shell takes it; one that begins like a flag is not taken for one.
+pub fn file_word(file_name: &str) -> String {
+    if file_name.starts_with('-') { quoted(&format!("./{file_name}")) } else { quoted(file_name) }
+}
+
+/// The command that forecasts a layout from its numbers alone; only where the mesh is the
+/// catalogue's, because the command line can name no other.
+pub fn from_numbers(case: &Case) -> Option<String> {
+    if catalogue::find(&case.mesh.id).is_none_or(|mesh| *mesh != *case.mesh) {
+        return None;
+    }
+    let entry = &case.entry;
+    let mut words = vec!["meshcast forecast".to_string()];
+    for (flag, value) in [("-d ", entry.plate), ("-L ", entry.spacing), ("-D ", entry.punch)] {
+        words.push(format!("{flag}{}", bare(value)));
+    }
+    for (flag, value) in [("--ex=", entry.ex), ("--ey=", entry.ey)] {
+        if value != 0.0 {
+            words.push(format!("{flag}{}", bare(value)));
+        }
+    }
+    words.push(format!("--mesh {}", quoted(&case.mesh.id)));
+    if entry.branch != BranchRule::default() {
+        words.push(format!("--branch {}", entry.branch.word()));
+    }
+    if let Some(force) = entry.design_force {
+        words.push(format!("--force {}", force_word(force)));
+    }
+    if let Some(deflection) = entry.allowable_deflection {
+        words.push(format!("--deflection {}", bare(deflection)));
+    }
+    for (flag, factor) in
+        [("--gamma-resistance", entry.gamma_resistance), ("--gamma-load", entry.gamma_load)]
+    {
+        if factor != 1.0 {
+            words.push(format!("{flag} {}", bare(factor)));
+        }
+    }
+    Some(words.join(" "))
+}
+
+/// A number that is read back as the same number: free of noise where that holds.
+fn bare(value: f64) -> String {
+    let short = shortest(value);
+    if short.parse() == Ok(value) { short } else { value.to_string() }
+}
+
+fn force_word(newton: f64) -> String {
+    let short = shortest(to_kn(newton));
+    if short.parse().map(from_kn) == Ok(newton) { short } else { format!("{newton}N") }
+}
+
+/// A word for a shell: in quotes where it needs them.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '-' | '_' | '+' | '=');
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_string()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_come_back_to_the_bit() {
+        for value in [0.25, 0.1 + 0.2, 1.0 / 3.0, 1e-6] {
+            assert_eq!(bare(value).parse(), Ok(value));
+        }
+        assert_eq!(force_word(15_300.0), "15.3");
+        assert_eq!(force_word(15_300.000_000_000_002), "15300.000000000002N");
+    }
+
+    #[test]
+    fn words_are_quoted_where_a_shell_needs_it() {
+        assert_eq!(quoted("road-cut.ron"), "road-cut.ron");
+        assert_eq!(quoted("--layout=it's $HOME"), "'--layout=it'\\''s $HOME'");
+    }
+}

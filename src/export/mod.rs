@@ -1,0 +1,20 @@
+//! What leaves the program for a desk: CSV of curves and tables, SVG pictures, and a report that a
+//! reviewer can repeat. Texts in, texts out; the same inputs give the same bytes, and no file or
+//! clock is touched.
+//!
+//! - [`case`]: a layout of a project with all that follows from it; [`check`]: a discrete element
+//!   check as the pictures show it.
+//! - [`csv`]: tables; [`svg`]: chart and plan; [`report`]: the report as HTML and as Markdown.
+//! - [`command`]: the command lines that give the same numbers; [`escape`]: safe text for all these.
+
+pub mod case;
+pub mod check;
+pub mod command;
+pub mod csv;
+pub mod escape;
+pub mod report;
+pub mod svg;
+
+pub use case::{Case, cases};
+pub use check::{Band, Check};
+pub use report::{Report, Source};

@@ -1,0 +1,121 @@
+//! A report as one HTML page with its pictures inside. It loads nothing, and it is XML as well.
+
+use super::document::{Block, Document, Picture, Span, Words};
+use crate::export::escape::xml;
+use std::fmt::Write;
+
+const STYLE: &str = "\
+:root { color-scheme: light; }
+body { font: 16px/1.45 sans-serif; color: #000; background: #fff; max-width: 54rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
+h1 { font-size: 1.7rem; line-height: 1.2; }
+h2 { font-size: 1.3rem; margin-top: 2.2rem; border-bottom: 1px solid #888; break-after: avoid; }
+h3 { font-size: 1.05rem; margin-bottom: 0.4rem; break-after: avoid; }
+table { border-collapse: collapse; margin: 0.6rem 0 1rem; font-size: 0.92rem; }
+th, td { border: 1px solid #999; padding: 0.2rem 0.55rem; text-align: left; vertical-align: top; overflow-wrap: break-word; }
+th { background: #eee; }
+tr { break-inside: avoid; }
+table.numbers td + td, table.numbers th + th { text-align: right; }
+div.wide { overflow-x: auto; }
+div.pictures { display: flex; flex-wrap: wrap; gap: 1rem; }
+figure { margin: 0.6rem 0; break-inside: avoid; max-width: 100%; }
+figure.whole { flex: 1 1 100%; }
+figure svg { max-width: 100%; height: auto; }
+p.equation { margin: 0.4rem 0 0.4rem 2rem; display: flex; justify-content: space-between; gap: 2rem; }
+var { font-style: italic; }
+sub { font-size: 0.75em; line-height: 0; }
+code { font: 0.9em monospace; }
+pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space: pre-wrap; }
+@media print { body { margin: 0; max-width: none; font-size: 11pt; } pre { border-color: #999; } }
+@page { margin: 18mm; }
+";
+
+/// The whole page.
+pub fn page(document: &Document) -> String {
+    let title = xml(&document.title);
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+    );
+    for block in &document.blocks {
+        self::block(block, &mut out);
+    }
+    out.push_str("</body>\n</html>\n");
+    out
+}
+
+// Writing to a string cannot fail.
+fn block(block: &Block, out: &mut String) {
+    let _ = match block {
+        Block::Heading(level, words) => writeln!(out, "<h{level}>{}</h{level}>", line(words)),
+        Block::Paragraph(words) => writeln!(out, "<p>{}</p>", line(words)),
+        Block::Free(text) => {
+            free(text, out);
+            Ok(())
+        }
+        Block::List(items) => {
+            let items: String = items.iter().map(|i| format!("<li>{}</li>\n", line(i))).collect();
+            writeln!(out, "<ul>\n{items}</ul>")
+        }
+        Block::Table { head, rows, numbers } => {
+            let class = if *numbers { " class=\"numbers\"" } else { "" };
+            let head: String = head.iter().map(|c| format!("<th>{}</th>", line(c))).collect();
+            let _ = writeln!(
+                out,
+                "<div class=\"wide\"><table{class}>\n<thead><tr>{head}</tr></thead>\n<tbody>"
+            );
+            for row in rows {
+                let cells: String = row.iter().map(|c| format!("<td>{}</td>", line(c))).collect();
+                let _ = writeln!(out, "<tr>{cells}</tr>");
+            }
+            writeln!(out, "</tbody></table></div>")
+        }
+        Block::Equation(words, number) => {
+            writeln!(
+                out,
+                "<p class=\"equation\"><span>{}</span><span>({number})</span></p>",
+                line(words)
+            )
+        }
+        Block::Pictures(pictures) => {
+            let _ = writeln!(out, "<div class=\"pictures\">");
+            for picture in pictures {
+                figure(picture, out);
+            }
+            writeln!(out, "</div>")
+        }
+        Block::Commands(lines) => {
+            let lines: Vec<String> = lines.iter().map(|l| xml(l)).collect();
+            writeln!(out, "<pre><code>{}</code></pre>", lines.join("\n"))
+        }
+    };
+}
+
+fn figure(picture: &Picture, out: &mut String) {
+    let class = if picture.wide { " class=\"whole\"" } else { "" };
+    // The picture's own heading says what it shows.
+    let _ = writeln!(out, "<figure{class}>\n{}</figure>", picture.svg);
+}
+
+/// Paragraphs and lines as they were written.
+fn free(text: &str, out: &mut String) {
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    for paragraph in lines.split(|line| line.is_empty()).filter(|p| !p.is_empty()) {
+        let lines: Vec<String> = paragraph.iter().map(|l| xml(l)).collect();
+        let _ = writeln!(out, "<p>{}</p>", lines.join("<br/>\n"));
+    }
+}
+
+fn line(words: &Words) -> String {
+    words
+        .0
+        .iter()
+        .map(|span| match span {
+            Span::Plain(text) => xml(text),
+            Span::Strong(text) => format!("<strong>{}</strong>", xml(text)),
+            Span::Symbol(base, "") => format!("<var>{base}</var>"),
+            Span::Symbol(base, index) => format!("<var>{base}</var><sub>{}</sub>", xml(index)),
+            Span::Code(text) => format!("<code>{}</code>", xml(text)),
+        })
+        .collect()
+}

@@ -1,0 +1,236 @@
+//! One layout of the report: pictures, the value at each step, design, warnings, command lines.
+
+use super::Report;
+use super::document::{Block, Document, Picture, Words, code, ours, sentence, strong};
+use super::front::entered_force;
+use crate::export::svg::{Series, chart, plan};
+use crate::export::{Case, Check, command};
+use crate::forecast::{Field, Values, field};
+use crate::mesh::STANDARD_PANEL;
+use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
+use crate::units::{to_kj, to_kn};
+
+/// Writes the section of a layout.
+pub fn layout(report: &Report<'_>, index: usize, case: &Case, document: &mut Document) {
+    let unit = report.unit;
+    let name = &case.entry.name;
+    document.section(format!("{}. {name}", index + 1));
+    if !case.entry.note.trim().is_empty() {
+        document.blocks.push(Block::Free(case.entry.note.clone()));
+    }
+    warnings(case, document);
+    let check = report.check(index);
+    let series = [Series { case, check }];
+    document.blocks.push(Block::Pictures(vec![
+        Picture {
+            svg: chart(&series, &format!("{name}: force over deflection"), unit),
+            caption: format!("{name}: force over deflection"),
+            wide: true,
+        },
+        Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
+    ]));
+    steps(case, unit, document);
+    if let Some(field) = &case.forecast.field {
+        points(field, unit, document);
+    }
+    design(case, unit, document);
+    if let Some(check) = check {
+        checked(case, check, unit, document);
+    }
+    let mut lines = Vec::new();
+    if !report.source.file_name.is_empty() {
+        lines.push(command::from_file(report.source.file_name, case));
+    }
+    lines.extend(command::from_numbers(case));
+    if !lines.is_empty() {
+        let mut words = Words::from("The same numbers; fingerprint of the inputs ");
+        words.0.extend(code(case.fingerprint.to_string()).0);
+        words.0.extend(Words::from(":").0);
+        document.quote(words);
+        document.blocks.push(Block::Commands(lines));
+    }
+}
+
+fn warnings(case: &Case, document: &mut Document) {
+    let mut all: Vec<_> = case.forecast.warnings.iter().collect();
+    all.sort_by_key(|w| std::cmp::Reverse(w.weight()));
+    if all.is_empty() {
+        document.say("No warnings: all sizes are inside the published ranges.");
+        return;
+    }
+    let items = all.iter().map(|w| {
+        let mut words = strong(format!("{}: ", sentence(w.weight().word()).trim_end_matches('.')));
+        words.0.extend(Words::from(sentence(&w.message())).0);
+        words
+    });
+    document.blocks.push(Block::List(items.collect()));
+}
+
+/// The value at each step of the method.
+fn steps(case: &Case, unit: LengthUnit, document: &mut Document) {
+    let forecast = &case.forecast;
+    let mut rows = Vec::new();
+    let four = |v: f64| significant(v, 4);
+    let length = |v: f64| match unit {
+        LengthUnit::Metre => format!("{v:.4} m"),
+        LengthUnit::Millimetre => format!("{:.1} mm", v * 1000.0),
+    };
+    let mut row = |words: Words, force: String, deflection: String| {
+        rows.push(vec![words, force.into(), deflection.into()]);
+    };
+    let pair = |v: Values| (format!("{} kN", four(to_kn(v.force))), length(v.deflection));
+    let lab = &case.mesh.laboratory;
+    if lab.panel != STANDARD_PANEL {
+        let (f, d) = pair(Values { force: lab.force, deflection: lab.deflection });
+        let panel =
+            format!("laboratory test, panel {} {}", length_entry(lab.panel, unit), unit.symbol());
+        row(panel.into(), f, d);
+    }
+    let (f, d) = pair(forecast.laboratory);
+    row(ours("laboratory, standard panel: {F_l*}, {delta_l*}"), f, d);
+    let r = &forecast.ratios;
+    row(ours("ratios {alpha_F}, {alpha_delta}"), four(r.force), four(r.deflection));
+    let (f, d) = pair(forecast.reference);
+    row(ours("field reference {F_a*}, {delta_a*} (step 1)"), f, d);
+    if let Some(values) = &forecast.field {
+        let branch = values.branch;
+        let words = format!(
+            "relations A.1, A.2 for a {}, over the reference",
+            branch.word().replace('_', " ")
+        );
+        let layout = &forecast.layout;
+        row(
+            words.into(),
+            four(field::force_ratio(layout, branch)),
+            four(field::deflection_ratio(layout, branch)),
+        );
+        let (f, d) = pair(field::centred(layout, branch, forecast.reference));
+        row("centred punch".into(), f, d);
+        let e = &forecast.eccentricity;
+        let with_sd = |v: f64, sd: f64| {
+            if sd > 0.0 { format!("{} \u{b1} {}", four(v), significant(sd, 2)) } else { four(v) }
+        };
+        row(
+            "eccentricity factors (map of Fig. A1)".into(),
+            with_sd(e.force, e.force_sd),
+            with_sd(e.deflection, e.deflection_sd),
+        );
+        let (f, d) = pair(values.values);
+        rows.push(vec![ours("at failure: {F_a}, {delta_a} (step 2)"), strong(f), strong(d)]);
+        let mut row = |words: Words, force: String, deflection: String| {
+            rows.push(vec![words, force.into(), deflection.into()]);
+        };
+        if let Some(other) = values.other_branch {
+            let (f, d) = pair(other);
+            let relation = branch.other().word().replace('_', " ");
+            row(format!("the same by the other branch ({relation})").into(), f, d);
+        }
+        if let (Some(f), Some(d)) = (forecast.force_over_lab(), forecast.deflection_over_lab()) {
+            row(ours("over the laboratory: {F_a}/{F_l*}, {delta_a}/{delta_l*}"), four(f), four(d));
+        }
+    }
+    document.blocks.push(Block::Table {
+        head: ["step", "force", "deflection"].map(Words::from).to_vec(),
+        rows,
+        numbers: true,
+    });
+}
+
+/// A few points of the curve.
+fn points(field: &Field, unit: LengthUnit, document: &mut Document) {
+    let three = |v: f64| Words::from(significant(v, 3));
+    let rows = [25, 50, 75, 90, 100].map(|percent| {
+        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        vec![
+            Words::from(format!("{percent} %")),
+            length_text(delta, unit).into(),
+            force_text(field.force_at(delta)).into(),
+            three(to_kn(field.tangent_at(delta))),
+            three(to_kn(field.secant_at(delta))),
+            three(to_kj(field.energy_to(delta))),
+        ]
+    });
+    let head = ["of {delta_a}", "{delta}", "{F}", "tangent (kN/m)", "secant (kN/m)", "energy (kJ)"];
+    document.blocks.push(Block::Table {
+        head: head.map(ours).to_vec(),
+        rows: rows.to_vec(),
+        numbers: true,
+    });
+    let force = force_text(field.values.force);
+    document.say(&format!("Each anchor carries {force} at failure: the whole force of its cell."));
+}
+
+/// The answers to the design questions, with the factors that act.
+fn design(case: &Case, unit: LengthUnit, document: &mut Document) {
+    let question = &case.question;
+    let Some(answer) = &case.design else {
+        if question.force.is_some() || question.deflection.is_some() {
+            document.say("Design: no answer, because there is no field value.");
+        }
+        return;
+    };
+    let mut items = vec![ours(&format!(
+        "Resistance {{F_a}} / {{gamma_R}} = {} with {{gamma_R}} = {}.",
+        force_text(answer.resistance),
+        shortest(question.gamma_resistance)
+    ))];
+    if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
+        let enough = if at.utilisation > 1.0 { "not enough" } else { "enough" };
+        items.push(ours(&format!(
+            "Design force {} with {{gamma_F}} = {}: load {}, utilisation {} % ({enough}), margin {}.",
+            entered_force(force),
+            shortest(question.gamma_load),
+            force_text(at.load),
+            significant(at.utilisation * 100.0, 3),
+            force_text(at.margin)
+        )));
+        let allowable = match at.within_allowable {
+            Some(true) => ", within the allowable deflection",
+            Some(false) => ", beyond the allowable deflection",
+            None => "",
+        };
+        items.push(match at.deflection {
+            Some(reached) => {
+                let reached = length_text(reached, unit);
+                ours(&format!("Deflection under that load: {reached}{allowable}."))
+            }
+            None => ours("That load is beyond failure: there is no deflection."),
+        });
+    }
+    if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
+        let fails = if at.beyond_failure { " The panel fails before it is reached." } else { "" };
+        items.push(ours(&format!(
+            "At the allowable deflection of {} {}: {} mobilised, {} with {{gamma_R}}, {} kJ absorbed.{fails}",
+            length_entry(deflection, unit),
+            unit.symbol(),
+            force_text(at.force),
+            force_text(at.design_force),
+            significant(to_kj(at.energy), 3)
+        )));
+    }
+    document.quote(strong("Design"));
+    document.blocks.push(Block::List(items));
+}
+
+/// The check beside the forecast.
+fn checked(case: &Case, check: &Check, unit: LengthUnit, document: &mut Document) {
+    document.quote(strong(sentence(&check.title())));
+    let mut items = Vec::new();
+    if let Some(end) = check.mean.failure {
+        let difference = case.forecast.field.map_or(String::new(), |field| {
+            let percent =
+                |ours: f64, theirs: f64| format!("{:+.0} %", (ours / theirs - 1.0) * 100.0);
+            format!(
+                "; against the forecast {} in force and {} in deflection",
+                percent(end.force, field.values.force),
+                percent(end.deflection, field.values.deflection)
+            )
+        });
+        let at = format!("{} at {}", force_text(end.force), length_text(end.deflection, unit));
+        items.push(Words::from(format!("First break {at}{difference}.")));
+    }
+    items.extend(check.notes.iter().map(|note| Words::from(sentence(note))));
+    if !items.is_empty() {
+        document.blocks.push(Block::List(items));
+    }
+}

@@ -1,0 +1,101 @@
+//! `export` and `report` without a screen: what is written where, and what is refused.
+
+use super::{PROJECT, file, good, json, refused, run, shown};
+use std::path::Path;
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("the file was written")
+}
+
+#[test]
+fn results_go_to_standard_output_or_to_a_file() {
+    let (keep, path) = file("road-cut.ron", PROJECT);
+    let project = shown(&path);
+    let table = good(&["export", project, "--what", "table"]);
+    assert!(table.starts_with("layout,mesh,d_m,L_m,D_m,"), "{table}");
+    let chart = good(&["export", project, "--what", "chart", "--layout", "bench 2"]);
+    assert!(chart.starts_with("<svg ") && chart.ends_with("</svg>\n"));
+    assert_eq!(chart, good(&["export", project, "--format", "svg", "--layout", "bench 2"]));
+
+    // The file's ending says what is wanted; its name is the result.
+    let target = keep.path().join("chart.svg");
+    let arguments = ["export", project, "--layout", "bench 2", "-o", shown(&target)];
+    assert_eq!(good(&arguments), format!("{}\n", target.display()));
+    assert_eq!(text(&target), chart);
+    let said = refused(&arguments);
+    assert!(said.contains("chart.svg exists already") && said.contains("--force"), "{said}");
+    std::fs::write(&target, "old").unwrap();
+    good(&[&arguments[..], &["--force"]].concat());
+    assert_eq!(text(&target), chart);
+
+    let markdown = keep.path().join("report.md");
+    good(&["report", project, "-o", shown(&markdown)]);
+    assert!(text(&markdown).starts_with("# road cut"));
+    assert_eq!(text(&markdown), good(&["report", project, "--format", "md", "-o", "-"]));
+    assert!(good(&["report", project]).starts_with("<!DOCTYPE html>"));
+}
+
+#[test]
+fn layouts_without_a_value_are_remarked() {
+    let (_keep, path) = file("road-cut.ron", PROJECT);
+    let got = run(&["export", shown(&path)]);
+    assert_eq!((got.code, got.out.lines().count()), (0, 1 + 2 * 201));
+    assert!(got.err.starts_with("note: layout \"corner\": no field value"), "{}", got.err);
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let (keep, path) = file("road-cut.ron", PROJECT);
+    let project = shown(&path);
+    let says = |arguments: &[&str], words: &[&str]| {
+        let said = refused(arguments);
+        words.iter().for_each(|w| assert!(said.contains(w), "{w:?} is missing in {said}"));
+    };
+    says(&["export", project, "--what", "plan"], &["--layout", "of one layout", "\"bench 2\""]);
+    says(&["export", project, "--what", "table", "--format", "svg"], &["table", "chart, plan"]);
+    says(&["export", project, "--layout", "bench2"], &["did you mean \"bench 2\"?"]);
+    says(&["export"], &["PROJECT.ron"]);
+    says(&["export", project, "--force"], &["--output"]);
+    says(&["report", project, "--format", "pdf"], &["html, md"]);
+    let nowhere = keep.path().join("no/such/report.html");
+    says(&["report", project, "-o", shown(&nowhere)], &["directory does not exist"]);
+    says(&["report", project, "-o", project, "--force"], &["the project itself"]);
+    assert_eq!(text(&path), PROJECT);
+}
+
+/// What a reviewer does: takes the command lines out of the report and runs them.
+#[test]
+fn the_command_lines_of_a_report_give_its_fingerprints() {
+    let (keep, path) = file("road-cut.ron", PROJECT);
+    let report = good(&["report", shown(&path), "--format", "md"]);
+    let mut fingerprint = String::new();
+    let mut commands = 0;
+    for line in report.lines() {
+        if let Some((_, rest)) = line.split_once("fingerprint of the inputs `") {
+            fingerprint = rest.split('`').next().unwrap_or_default().to_string();
+        }
+        let Some(line) = line.strip_prefix("meshcast forecast ") else { continue };
+        let words = words(line);
+        let words: Vec<&str> =
+            words.iter().map(|w| if w == "road-cut.ron" { shown(&path) } else { w }).collect();
+        let got = json(&[&["forecast"], &words[..]].concat());
+        assert_eq!(got["fingerprint"], fingerprint.as_str(), "{line}");
+        commands += 1;
+    }
+    assert_eq!(commands, 6, "two for each layout");
+    drop(keep);
+}
+
+/// Words as a shell makes them of a line with single quotes.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
+    for c in line.chars() {
+        match c {
+            '\'' => quoted = !quoted,
+            ' ' if !quoted => words.push(std::mem::take(&mut word)),
+            c => word.push(c),
+        }
+    }
+    words.push(word);
+    words
+}

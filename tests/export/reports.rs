@@ -1,0 +1,149 @@
+//! Reports: whole, well-formed, safe whatever a name holds, the same every time.
+
+use super::{ODD, good, keep, odd, projects};
+use meshcast::export::{Case, Check, Report, Source};
+use meshcast::project::Project;
+use roxmltree::{Document, Node, ParsingOptions};
+
+fn report<'a>(project: &'a Project, cases: &'a [Case], checks: &'a [Option<Check>]) -> Report<'a> {
+    let source = Source { file_name: "it's odd.ron", text: Some(ODD), edited: false };
+    Report { project, cases, checks, source, unit: project.display.length_unit }
+}
+
+/// The text between the tags, pictures left out.
+fn read(html: &str) -> String {
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(html, options).expect("a report is XML as well");
+    for node in document.descendants().filter(Node::is_element) {
+        assert!(!["script", "img", "link", "iframe"].contains(&node.tag_name().name()));
+        for attribute in node.attributes() {
+            assert!(!["href", "src", "style"].contains(&attribute.name()), "{attribute:?}");
+        }
+    }
+    let in_picture = |n: &Node| n.ancestors().any(|a| a.tag_name().name() == "svg");
+    let texts = document.descendants().filter(|n| n.is_text() && !in_picture(n));
+    texts.filter_map(|n| n.text()).collect()
+}
+
+#[test]
+fn reports_are_well_formed_whole_and_the_same_every_time() {
+    for (index, project) in projects().iter().enumerate() {
+        let cases = good(project);
+        let report = report(project, &cases, &[]);
+        let (html, markdown) = (report.html(), report.markdown());
+        assert_eq!((html.clone(), markdown.clone()), (report.html(), report.markdown()));
+        let text = read(&html);
+        for wanted in [project.name.as_str(), project.site.as_str()] {
+            assert!(text.contains(wanted), "{wanted:?} is missing");
+        }
+        for case in &cases {
+            assert!(text.contains(&case.entry.name));
+            assert!(text.contains(&case.fingerprint.to_string()));
+            assert!(markdown.contains(&case.fingerprint.to_string()));
+            for warning in &case.forecast.warnings {
+                let message = warning.message();
+                assert!(text.contains(&message[1..]), "{message}");
+            }
+        }
+        for bad in ["NaN", "inf ", "{", "}"] {
+            let body = text.split_once("@page").map_or("", |(_, body)| &body[18..]);
+            assert!(!body.contains(bad), "{bad:?} in {body}");
+        }
+        // Pictures are the same in the report as alone, so they are sound; none is missing.
+        assert_eq!(html.matches("<svg").count(), markdown.matches("]: data:image/svg+xml").count());
+        assert!(html.matches("<svg").count() >= 2 * cases.len());
+        keep(&format!("report-{index}.html"), &html);
+        keep(&format!("report-{index}.md"), &markdown);
+    }
+}
+
+#[test]
+fn names_are_shown_and_never_obeyed() {
+    let project = odd();
+    let cases = good(&project);
+    let report = report(&project, &cases, &[]);
+    let html = report.html();
+    assert!(!html.contains("<script") && !html.contains("<b>") && !html.contains("<i>"));
+    let text = read(&html);
+    assert!(text.contains("<script>alert(1)</script>") && text.contains("1. one"));
+    let markdown = report.markdown();
+    for safe in [
+        "\\<script\\>",
+        "1\\. one",
+        "\\- two",
+        "\\[link\\](http\\://x)",
+        "\\# note",
+        "\\*x\\*",
+        "-on \\| a plate \\$HOME",
+    ] {
+        assert!(markdown.contains(safe), "{safe:?} is missing");
+    }
+    // A word is bold only where no space stands inside its stars.
+    assert!(markdown.contains("- **Outside:** The punch overlaps"));
+    // A row of a table has as many cells as its head.
+    let results = markdown.lines().find(|l| l.contains("on \\| a plate")).unwrap();
+    assert!(results.starts_with('#') || results.replace("\\|", "").matches('|').count() >= 8);
+}
+
+#[test]
+fn the_steps_and_their_equations_stand_in_the_report() {
+    let project = super::sample("road-cut.ron");
+    let cases = good(&project);
+    let text = read(&report(&project, &cases, &[]).html());
+    for said in [
+        "(0.89 + 0.11",
+        "1.312",
+        "A.1, small punch",
+        "A lower bound",
+        "square grid",
+        "29.10 kN",
+        "0.6480 m",
+        "0.6280 \u{b1}",
+        "105 %, not enough",
+        "sha256sum",
+        "meshcast validate",
+        "meshcast forecast -d 0.4 -L 3.0 -D 1.25 --mesh dt-8x10-2.7 --force 20.0 --deflection 0.6 --gamma-resistance 1.25 --gamma-load 1.3",
+        meshcast::VERSION,
+    ] {
+        assert!(text.contains(said), "{said:?} is missing");
+    }
+}
+
+#[test]
+fn edits_that_are_not_in_the_file_are_told() {
+    let project = odd();
+    let cases = good(&project);
+    let mut report = report(&project, &cases, &[]);
+    assert!(!report.html().contains("not saved"));
+    report.source.edited = true;
+    assert!(report.html().contains("not saved"));
+    report.source = Source { file_name: "", text: None, edited: false };
+    let text = read(&report.html());
+    assert!(text.contains("not saved") && !text.contains("sha256sum"));
+}
+
+#[test]
+fn a_check_stands_beside_its_forecast() {
+    let project = super::sample("road-cut.ron");
+    let cases = good(&project);
+    let mut values = cases[0].forecast.field.unwrap().values;
+    values.force *= 1.1;
+    let check = Check {
+        label: "check, 8 runs".into(),
+        mean: meshcast::forecast::rescaled(values, 30),
+        notes: vec!["the error estimate is 2 %".into()],
+        ..Check::default()
+    };
+    let checks = [Some(check)];
+    let text = read(&report(&project, &cases, &checks).html());
+    assert!(text.contains("+10 % in force and +0 % in deflection"), "{text}");
+    assert!(text.contains("The error estimate is 2 %."));
+}
+
+#[test]
+fn a_project_without_layouts_has_a_report() {
+    let mut project = odd();
+    project.layouts.clear();
+    let text = read(&report(&project, &[], &[]).html());
+    assert!(text.contains("The project has no layouts."));
+}
