@@ -4,8 +4,8 @@
 //! a block broken bonds are looked for; after a window the mean forces become a point of the curve,
 //! and every two centimetres the kinetic energy is taken.
 //!
-//! - *Force*: 0.3 of the force on the punch and 0.7 of that on the support. Inertia enters the two
-//!   with opposite signs and nearly cancels; the weight was found on the four bench scenes. The
+//! - *Force*: 0.25 of the force on the punch and 0.75 of that on the support. Inertia enters the two
+//!   with opposite signs and nearly cancels; the weight was found on the four bench scenes (0.3 at first, less with scatter). The
 //!   forces themselves are kept beside it.
 //! - *First break*: the line through the points from 22 to 2 mm before the break, read at the break;
 //!   the last two millimetres are left out because the support already feels the failing bond.
@@ -15,7 +15,7 @@
 //!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
 //!   bond is nearly there. Where none was above [`SUDDEN`], or a twist shook by more than [`SHAKING`], the run is repeated with 0.7 of the step;
 //!   if that breaks suddenly too and elsewhere, it counts as diverged. Besides, the energies must balance.
-//! - *Error estimate*: 0.3 of the largest difference of punch and support force before the break over
+//! - *Error estimate*: 0.35 of the largest difference of punch and support force before the break over
 //!   the largest force, which is what inertia does and the weighting must cancel, and never less than
 //!   what the shortcuts may change. A test and the convergence tables hold it against true errors.
 
@@ -33,7 +33,7 @@ const BLOCK: usize = 4;
 /// Punch travel of a point of the curve, m.
 const WINDOW: f64 = 0.002;
 /// Part of the force on the punch in the reported force; the rest is the force on the support.
-pub const PUNCH_WEIGHT: f64 = 0.3;
+pub const PUNCH_WEIGHT: f64 = 0.25;
 /// Where the fit of the force at a break begins and ends, m before the break.
 const FIT: (f64, f64) = (0.022, 0.002);
 /// Punch travel without force after which the punch has slipped, m, and what counts as none.
@@ -46,9 +46,9 @@ pub const SUDDEN: f64 = 0.7;
 /// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed: sound runs of
 /// the bench scenes and of ensembles stay below 6, the first failing one had 12.
 pub const SHAKING: f64 = 8.0;
-/// Largest error of the curve over the largest difference of the forces on punch and support: 0.07 to
-/// 0.31 in all runs of the benchmark.
-const GAP_TO_ERROR: f64 = 0.3;
+/// Largest error of the curve over the largest difference of the forces on punch and support: up to
+/// about a third in the runs of the benchmark.
+const GAP_TO_ERROR: f64 = 0.35;
 /// Largest energy out of nowhere before a run counts as diverged, over the work of the punch.
 const IMBALANCE: f64 = 0.05;
 /// Largest punch displacement over the panel's side where the caller says nothing.

@@ -239,7 +239,7 @@ impl CheckRecord {
             inputs,
             test,
             fidelity,
-            force: "weighted mean of punch (0.3) and support (0.7)",
+            force: "weighted mean of punch (0.25) and support (0.75)",
             runs: ensemble.runs.iter().map(RunRecord::from).collect(),
             mean: broke.then(|| point(&|s| s.mean)),
             mean_peak: PointRecord {
