@@ -8,6 +8,7 @@
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
+//! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.
@@ -18,6 +19,7 @@ pub mod app;
 
 pub mod cli;
 pub mod curve;
+pub mod dem;
 pub mod fingerprint;
 pub mod forecast;
 pub mod layout;

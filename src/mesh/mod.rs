@@ -3,9 +3,11 @@
 //!
 //! - [`MeshType`] and its parts: this file.
 //! - [`catalogue`]: the mesh types shipped in `assets/meshes.ron`.
+//! - [`laws`]: wire laws with a name, for comparing solvers and for starting a calibration.
 //! - [`wire`]: the net's geometry and the stress-strain curves of its wires.
 
 pub mod catalogue;
+pub mod laws;
 pub mod wire;
 
 use crate::problem::Problem;

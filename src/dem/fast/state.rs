@@ -1,0 +1,275 @@
+//! The fast solver's state: planes of numbers, one for each quantity, that the kernel walks row by row.
+//!
+//! A plane holds one number for each pair. Row i, column j stands at `PAD + i * stride + j`; the
+//! stride is a multiple of the widest vector with at least two places to spare, so that the place
+//! after a row's last column and the one before the next row's first are *ghosts*: in a periodic
+//! net they repeat the row's other end. One ghost row above the last repeats the first one's
+//! bottoms. Everything behind a row's end is fixed and its bonds are broken, so that it adds nothing.
+
+use super::super::inertia::PairInertia;
+use super::super::lattice::Role;
+use super::super::law::{BondCurve, Ramp};
+use super::super::scene::Scene;
+use super::lanes::Real;
+use super::plane::Plane;
+
+/// Places before the first row and behind the last one.
+pub const PAD: usize = 16;
+/// Columns are dealt with in blocks of this many: the widest vector.
+pub const BLOCK: usize = 16;
+/// Largest strain of a bond that is not there: far beyond any rupture.
+pub const MISSING: f64 = 1.0e3;
+
+/// How the loading curve behind the ramp is evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape<R> {
+    /// Slopes fall from corner to corner: the least of these lines (slope, value at 0).
+    Lines([(R, R); LINES]),
+    /// Any curve: value at the end of the ramp, then for each corner (strain, change of slope).
+    Hinges(R, Vec<(R, R)>),
+}
+
+/// Lines of the fast shape: a curve of seven points. Shorter ones repeat their last line.
+pub const LINES: usize = 6;
+
+/// A kind of bond as the kernel needs it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kind<R> {
+    /// Strain and force at the end of the ramp.
+    pub knee: (R, R),
+    /// Curve behind it.
+    pub shape: Shape<R>,
+    /// Slope of unloading, N per unit of strain, or less than the ramp's, which then counts.
+    pub unloading: R,
+    /// Strain at rupture.
+    pub rupture: R,
+    /// 1/l1 where all bonds of the kind are alike, 1/m.
+    pub per_length: R,
+    /// Slope of the ramp where all are alike, N per unit of strain.
+    pub ramp: R,
+}
+
+impl<R: Real> Kind<R> {
+    fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> Kind<R> {
+        let n = curve.strain.len();
+        let falling =
+            n >= 2 && n - 1 <= LINES && (1..n).all(|k| curve.slope[k] <= curve.slope[k - 1]);
+        let line = |k: usize| {
+            let k = k.min(n.saturating_sub(2));
+            (R::new(curve.slope[k]), R::new(curve.force[k] - curve.slope[k] * curve.strain[k]))
+        };
+        let shape = if falling {
+            Shape::Lines(std::array::from_fn(line))
+        } else {
+            let mut before = 0.0;
+            let hinges = (0..n).map(|k| {
+                let change = curve.slope[k] - before;
+                before = curve.slope[k];
+                (R::new(curve.strain[k]), R::new(change))
+            });
+            Shape::Hinges(R::new(curve.force[0]), hinges.collect())
+        };
+        Kind {
+            knee: (R::new(curve.strain[0]), R::new(curve.force[0])),
+            shape,
+            unloading: R::new(unloading),
+            rupture: R::new(curve.rupture()),
+            per_length: R::new(1.0 / sample.taut),
+            ramp: R::new(sample.ramp.slope),
+        }
+    }
+}
+
+/// What a bond of a scene has of its own, in double precision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BondValues {
+    /// Taut length, m.
+    pub taut: f64,
+    /// Ramp and unloading.
+    pub ramp: Ramp,
+}
+
+/// Values of a bond under the unloading slopes `unloading` of single wire and twist.
+pub fn bond_values(scene: &Scene, number: usize, role: Role, unloading: [f64; 2]) -> BondValues {
+    let curve = curve(scene, role);
+    let slack = scene.slack(number);
+    let taut = scene.length(role) + slack;
+    let start = -slack / taut;
+    let slope = curve.ramp(start);
+    let unloading = unloading[usize::from(role == Role::Twist)].max(slope);
+    BondValues { taut, ramp: Ramp { start, slope, unloading } }
+}
+
+/// The curve of a bond's kind.
+pub fn curve(scene: &Scene, role: Role) -> &BondCurve {
+    if role == Role::Twist { &scene.law.twist } else { &scene.law.single }
+}
+
+/// Three planes: x, y and z.
+pub type Three<R> = [Plane<R>; 3];
+
+/// The state and all constants of a run.
+#[derive(Debug, Clone)]
+pub struct State<R: Copy> {
+    /// Columns and rows of pairs.
+    pub columns: usize,
+    /// Rows of pairs.
+    pub rows: usize,
+    /// Whether the net goes on beyond its edges.
+    pub periodic: bool,
+    /// Distance in a plane from a row to the next.
+    pub stride: usize,
+    /// Displacements of the bottom and the top nodes, m.
+    pub moved: [Three<R>; 2],
+    /// Displacements in the last step, m.
+    pub velocity: [Three<R>; 2],
+    /// Inverse inertia, m/N: own terms of bottom and top, cross term.
+    pub inertia: [Plane<R>; 3],
+    /// Factors out of the plane, over the ones in it.
+    pub out_of_plane: R,
+    /// Largest strain so far of twists, left and right wires.
+    pub top: [Plane<R>; 3],
+    /// 1/l1 and ramp slope of each bond, by role; empty where all bonds of a kind are alike.
+    pub own: [[Plane<R>; 2]; 3],
+    /// Whether all bonds of a kind are alike.
+    pub uniform: bool,
+    /// Twist, then single wire.
+    pub kinds: [Kind<R>; 2],
+    /// Rest vectors: twist (along y), and half the opening and the projection of a wire.
+    pub rest: (R, [R; 2]),
+    /// Forces of a row's bonds on their first nodes, N, by role; for even rows, odd rows and the last.
+    pub forces: [[Three<R>; 3]; 3],
+    /// 1 where the bottom or the top node is fixed, else 0.
+    pub held: [Plane<R>; 2],
+    /// Whether a block of a row holds a fixed node.
+    pub holds: Vec<bool>,
+    /// Whether a block of a row may touch the dome.
+    pub near: Vec<bool>,
+    /// Place of the bottom nodes of even and odd rows from the punch's axis along x, m.
+    pub across: [Plane<R>; 2],
+    /// Place of a row's bottom and top nodes from the punch's axis along y, m.
+    pub along: Vec<[R; 2]>,
+    /// Sums over rows and steps of the force on the punch and on the support, by column, N.
+    pub sums: [Plane<R>; 2],
+    /// Part of the velocity that stays after a step.
+    pub keep: R,
+    /// See [`Real::GRAIN`].
+    pub grain: R,
+    /// The dome: what the kernel needs of it.
+    pub dome: DomeValues<R>,
+}
+
+/// The dome's numbers, m (see [`super::super::dome::Dome`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DomeValues<R> {
+    /// Radius of cap and node together.
+    pub cap_reach: R,
+    /// Radius of rim tube and node together.
+    pub rim_reach: R,
+    /// Radius of the rim's centre circle.
+    pub ring: R,
+    /// Radius over height at the seam.
+    pub seam: R,
+    /// Contact stiffness, N/m.
+    pub stiffness: R,
+}
+
+impl<R: Real> State<R> {
+    /// The state of `scene` at rest.
+    pub fn new(scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2], keep: f64) -> State<R> {
+        let lattice = &scene.lattice;
+        let (columns, rows) = (lattice.columns, lattice.rows);
+        let stride = (columns + 2).div_ceil(BLOCK) * BLOCK;
+        let size = 2 * PAD + (rows + 1) * stride;
+        let zeros = || Plane::new(R::default(), size);
+        let three = || std::array::from_fn(|_| zeros());
+        let row_zeros = || Plane::new(R::default(), stride + 2 * PAD);
+        let samples = [Role::Twist, Role::Left].map(|role| {
+            bond_values(scene, super::super::lattice::bond_number(0, role), role, unloading)
+        });
+        let kinds = [
+            Kind::new(&scene.law.twist, unloading[1], &samples[0]),
+            Kind::new(&scene.law.single, unloading[0], &samples[1]),
+        ];
+        let uniform = scene.uniform();
+        let plane_of_own = || Plane::new(R::new(1.0), if uniform { 0 } else { size });
+        let dome = &scene.dome;
+        let mut state = State {
+            columns,
+            rows,
+            periodic: lattice.periodic,
+            stride,
+            moved: [three(), three()],
+            velocity: [three(), three()],
+            inertia: std::array::from_fn(|_| zeros()),
+            out_of_plane: R::new(1.0 / super::super::inertia::OUT_OF_PLANE),
+            top: std::array::from_fn(|_| Plane::new(R::new(MISSING), size)),
+            own: std::array::from_fn(|_| [plane_of_own(), plane_of_own()]),
+            uniform,
+            kinds,
+            rest: (
+                R::new(lattice.twist),
+                [R::new(lattice.opening / 2.0), R::new(lattice.projection)],
+            ),
+            forces: std::array::from_fn(|_| {
+                std::array::from_fn(|_| std::array::from_fn(|_| row_zeros()))
+            }),
+            held: [zeros(), zeros()],
+            holds: vec![false; rows * stride / BLOCK],
+            near: vec![false; rows * stride / BLOCK],
+            across: [row_zeros(), row_zeros()],
+            along: Vec::new(),
+            sums: [row_zeros(), row_zeros()],
+            keep: R::new(keep),
+            grain: R::new(R::GRAIN),
+            dome: DomeValues {
+                cap_reach: R::new(dome.cap + dome.node),
+                rim_reach: R::new(dome.rim + dome.node),
+                ring: R::new(dome.ring),
+                seam: R::new(dome.seam),
+                stiffness: R::new(dome.stiffness),
+            },
+        };
+        state.fill(scene, inertia, unloading);
+        state
+    }
+
+    /// Place of a pair in a plane.
+    pub fn at(&self, row: usize, column: usize) -> usize {
+        PAD + row * self.stride + column
+    }
+
+    fn fill(&mut self, scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2]) {
+        let lattice = &scene.lattice;
+        for row in 0..self.rows {
+            let here = [lattice.bottom(row, 0), lattice.top(row, 0)];
+            self.along.push(here.map(|p| R::new(scene.from_axis(p)[1])));
+            for column in 0..self.columns {
+                let (pair, at) = (row * self.columns + column, self.at(row, column));
+                self.across[row % 2][PAD + column] =
+                    R::new(scene.from_axis(lattice.bottom(row, column))[0]);
+                self.inertia[0][at] = R::new(inertia[pair].own[0]);
+                self.inertia[1][at] = R::new(inertia[pair].own[1]);
+                self.inertia[2][at] = R::new(inertia[pair].cross);
+                for end in 0..2 {
+                    if scene.fixed[pair][end] {
+                        self.held[end][at] = R::new(1.0);
+                        self.holds[(row * self.stride + column) / BLOCK] = true;
+                    }
+                }
+                for (k, role) in Role::ALL.into_iter().enumerate() {
+                    if !lattice.has(row, column, role) {
+                        continue;
+                    }
+                    let number = super::super::lattice::bond_number(pair, role);
+                    let bond = bond_values(scene, number, role, unloading);
+                    self.top[k][at] = R::new(bond.ramp.start);
+                    if !self.uniform {
+                        self.own[k][0][at] = R::new(1.0 / bond.taut);
+                        self.own[k][1][at] = R::new(bond.ramp.slope);
+                    }
+                }
+            }
+        }
+    }
+}

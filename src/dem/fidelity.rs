@@ -1,0 +1,191 @@
+//! Fidelities: how fast the punch moves and how the net is stepped, and what the user may override.
+
+use super::fast::Path;
+use super::inertia::StepFactors;
+use super::lattice::Role;
+use super::scene::Scene;
+use crate::problem::Problem;
+use crate::units::shortest;
+use serde::{Deserialize, Serialize};
+
+/// How exactly the check computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fidelity {
+    /// Errors within 3 %.
+    Quick,
+    /// Errors within 1 %.
+    #[default]
+    Standard,
+    /// Errors within 0.2 %.
+    Fine,
+    /// The full law in double precision, slow: what the others are compared with.
+    Reference,
+}
+
+impl Fidelity {
+    /// All of them, the quickest first.
+    pub const ALL: [Fidelity; 4] =
+        [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine, Fidelity::Reference];
+
+    /// The word by which people name it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Fidelity::Quick => "quick",
+            Fidelity::Standard => "standard",
+            Fidelity::Fine => "fine",
+            Fidelity::Reference => "reference",
+        }
+    }
+
+    /// The largest error it aims at, as a part: of force and deflection at the first break, and of
+    /// the curve over its largest force.
+    pub fn aim(self) -> f64 {
+        match self {
+            Fidelity::Quick => 0.03,
+            Fidelity::Standard => 0.01,
+            Fidelity::Fine => 0.002,
+            Fidelity::Reference => 0.001,
+        }
+    }
+}
+
+/// What the caller of a check decides.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Controls {
+    /// How exactly.
+    pub fidelity: Fidelity,
+    /// Factor on the step over the fidelity's own; above 0. The stability bound stands at
+    /// [`LARGEST_STEP`] and what is beyond it is refused.
+    pub step_factor: f64,
+    /// Largest punch travel per step, m, instead of the fidelity's own; above 0.
+    pub speed: Option<f64>,
+    /// Part of the velocities lost in a step instead of the fidelity's own, 0 to 0.5.
+    pub damping: Option<f64>,
+    /// How far the run goes on after the first break, m; 0 or above.
+    pub after_break: f64,
+    /// Largest punch displacement, m; 0.6 L where nothing is said.
+    pub limit: Option<f64>,
+    /// Instruction set of the kernel, for tests; the widest the processor has where nothing is said.
+    pub path: Option<Path>,
+    /// Whether the outcome keeps the deformed net.
+    pub keep_net: bool,
+}
+
+impl Default for Controls {
+    fn default() -> Self {
+        Controls {
+            fidelity: Fidelity::Standard,
+            step_factor: 1.0,
+            speed: None,
+            damping: None,
+            after_break: 0.05,
+            limit: None,
+            path: None,
+            keep_net: false,
+        }
+    }
+}
+
+/// How a run is stepped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scheme {
+    /// Step factors.
+    pub factors: StepFactors,
+    /// Part of the velocities lost in a step.
+    pub damping: f64,
+    /// Punch travel per step, m; less near a break (see [`super::run`]).
+    pub travel: f64,
+    /// Whether in double precision and with the true unloading.
+    pub full: bool,
+}
+
+/// Largest step factor c of the pair's translation that is run: the element bound is 1, the net's
+/// own limit with the wires' real directions is above 1.2 (see the stability tests).
+pub const LARGEST_STEP: f64 = 1.25;
+/// Largest step factor of the twist's stretching that is run; its limit is 0.9.
+pub const LARGEST_STRETCHING: f64 = 0.87;
+
+impl Controls {
+    /// How `scene` is stepped under these controls.
+    ///
+    /// # Errors
+    /// Every control that is outside its range; a step beyond the stability bound.
+    pub fn scheme(&self, scene: &Scene) -> Result<Scheme, Vec<Problem>> {
+        let (translation, damping, travel) = match self.fidelity {
+            Fidelity::Quick => (1.15, 0.003, 4.2e-4),
+            Fidelity::Standard => (1.15, 0.002, 1.9e-4),
+            Fidelity::Fine => (1.15, 0.002, 4.5e-5),
+            Fidelity::Reference => (1.0, 0.000_6, 5.0e-6),
+        };
+        let full = self.fidelity == Fidelity::Reference;
+        let scheme = Scheme {
+            factors: StepFactors {
+                translation: translation * self.step_factor,
+                stretching: 0.8 * self.step_factor,
+            },
+            damping: self.damping.unwrap_or(damping),
+            travel: self.speed.unwrap_or(travel * slowness(scene, full)),
+            full,
+        };
+        let mut problems = Vec::new();
+        let mut range = |field: &str, value: f64, fits: bool, allowed: String| {
+            if !fits {
+                problems.push(
+                    Problem::new(field, "the value is outside what can be run")
+                        .value(shortest(value))
+                        .allowed(allowed),
+                );
+            }
+        };
+        let largest = (LARGEST_STEP / translation).min(LARGEST_STRETCHING / 0.8);
+        range(
+            "step_factor",
+            self.step_factor,
+            self.step_factor > 0.0 && self.step_factor <= largest,
+            format!(
+                "above 0, up to {} (the stability bound)",
+                shortest((largest * 1e3).round() / 1e3)
+            ),
+        );
+        let v = scheme.travel;
+        range("speed", v, v > 0.0 && v <= 0.002, "above 0, up to 0.002 m per step".into());
+        let g = scheme.damping;
+        range("damping", g, (0.0..=0.5).contains(&g), "from 0, up to 0.5 per step".into());
+        let a = self.after_break;
+        range("after_break", a, (0.0..=10.0).contains(&a), "from 0, up to 10 m".into());
+        if let Some(l) = self.limit {
+            range("limit", l, l > 0.0 && l <= 100.0, "above 0, up to 100 m".into());
+        }
+        if problems.is_empty() { Ok(scheme) } else { Err(problems) }
+    }
+}
+
+/// Ratio of the stiffness that sets the inertia to the wire's mean one up to rupture, for the law and
+/// the unloading of the benchmark, whose speeds the fidelities have.
+const BENCH_RATIO: f64 = 2.7;
+/// The same ratio under the true unloading.
+const BENCH_RATIO_FULL: f64 = 34.0;
+
+/// Factor on the punch's speed for laws that need more inertia than the benchmark's: waves are as
+/// slow as the square root of that inertia, and the punch must wait for them.
+fn slowness(scene: &Scene, full: bool) -> f64 {
+    let curve = &scene.law.single;
+    let soft = if full { curve.unloading } else { curve.steepest() };
+    let (mut sum, mut count) = (0.0, 0.0);
+    for number in scene.bond_numbers() {
+        if super::lattice::bond_of(number).1 == Role::Twist {
+            continue;
+        }
+        let slack = scene.slack(number);
+        let start = -slack / (scene.length(Role::Left) + slack);
+        sum += soft.max(curve.ramp(start));
+        count += 1.0;
+        if scene.uniform() {
+            break;
+        }
+    }
+    let strength = curve.force[curve.force.len() - 1] / curve.rupture();
+    let ratio = sum / count / strength;
+    (if full { BENCH_RATIO_FULL } else { BENCH_RATIO } / ratio).sqrt().min(1.0)
+}

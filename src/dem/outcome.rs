@@ -1,0 +1,106 @@
+//! What a run tells.
+
+use super::lattice::Role;
+use crate::curve::Point;
+
+/// Why a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stop {
+    /// The chosen distance after the first break was reached.
+    AfterBreak,
+    /// The punch slipped through: the force stayed below 20 % of its peak for 30 mm without a break.
+    Slipped,
+    /// The largest punch displacement was reached.
+    DisplacementLimit,
+    /// The caller ended it.
+    Cancelled,
+    /// The state ran away or the energies do not balance: the numbers mean nothing.
+    Diverged,
+}
+
+/// A broken bond.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Break {
+    /// Number of the bond (see [`super::lattice::bond_of`]).
+    pub number: usize,
+    /// Which of its pair's bonds.
+    pub role: Role,
+    /// Punch displacement when it was found broken, m.
+    pub deflection: f64,
+    /// Place of its middle in the unloaded net, from the panel's centre, m.
+    pub place: [f64; 2],
+}
+
+/// Figures that tell how far a run can be trusted; parts of 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Quality {
+    /// Largest kinetic energy over the energy in the bonds in the second half of the way to the
+    /// first break (or to the end).
+    pub kinetic_over_internal: f64,
+    /// Work of the punch that is found in no energy, over that work, up to the first break (or the end).
+    pub energy_balance: f64,
+    /// Force on the support over force on the punch, means over the last quarter of that way.
+    pub support_over_punch: f64,
+    /// Estimated error of the curve, over its largest force; see [`super::run`].
+    pub error_estimate: f64,
+}
+
+/// What a run cost; the caller adds the time.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Cost {
+    /// Steps in all.
+    pub steps: usize,
+    /// Steps up to the first break, or in all where there was none.
+    pub steps_to_break: usize,
+    /// Nodes.
+    pub nodes: usize,
+    /// Bonds.
+    pub bonds: usize,
+}
+
+/// The deformed net, for drawing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Net {
+    /// Places of the nodes from the panel's corner, m; 2 k is the bottom and 2 k + 1 the top of pair k.
+    pub nodes: Vec<[f64; 3]>,
+    /// Bonds that hold: first and second node. Those that cross a periodic edge are left out.
+    pub bonds: Vec<[usize; 2]>,
+    /// Punch displacement, m.
+    pub deflection: f64,
+}
+
+/// The outcome of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Why it ended.
+    pub stop: Stop,
+    /// Force (weighted mean of punch and support, see [`super::run`]) and punch displacement at the
+    /// first break, N and m.
+    pub first_break: Option<Point>,
+    /// The broken bonds in order.
+    pub breaks: Vec<Break>,
+    /// Largest force up to the stop and its displacement.
+    pub peak: Point,
+    /// Work of the punch up to the first break (or to the end), J.
+    pub energy: f64,
+    /// Tangent stiffness at 75 % of the force at the first break (or the peak), N/m; 0 where the
+    /// curve is too short for it.
+    pub k75: f64,
+    /// Means of the force over windows of about 2 mm.
+    pub curve: crate::curve::Curve,
+    /// The force on the punch alone, N, at the same displacements.
+    pub punch: Vec<f64>,
+    /// The force on the support alone, N.
+    pub support: Vec<f64>,
+    /// Quality figures.
+    pub quality: Quality,
+    /// Cost.
+    pub cost: Cost,
+    /// What was skipped, and what it may change, one sentence each.
+    pub skipped: Vec<String>,
+    /// Stretch of the net in x and y that met the panel's size.
+    pub stretch: [f64; 2],
+    /// The deformed net at the first break, where the caller asked for it.
+    pub net: Option<Net>,
+}

@@ -1,0 +1,464 @@
+//! Run control: drives a solver from the first touch to a stated end.
+//!
+//! A run is a sequence of *windows* of about 2 mm of punch travel, each of *blocks* of 4 steps. After
+//! a block broken bonds are looked for; after a window the mean forces become a point of the curve,
+//! and every ten millimetres the kinetic energy is taken.
+//!
+//! - *Force*: 0.3 of the force on the punch and 0.7 of that on the support. Inertia enters the two
+//!   with opposite signs and nearly cancels; the weight was found on the four bench scenes. The
+//!   forces themselves are kept beside it.
+//! - *First break*: the line through the points from 22 to 2 mm before the break, read at the break;
+//!   the last two millimetres are left out because the support already feels the failing bond.
+//! - *Speed*: the punch slows down to 0.4 of its speed as the largest utilisation (strain over strain
+//!   at rupture) goes from 0.5 to 1, where the net is at its slowest and the break is near.
+//! - *Error estimate*: half the largest difference of punch and support force before the break over
+//!   the largest force, which is what inertia does and the weighting must cancel, and never less than
+//!   what the shortcuts may change. A test and the convergence tables hold it against true errors.
+
+use super::fast::{Fast, FastOptions, Path};
+use super::fidelity::{Controls, Scheme};
+use super::lattice::{Role, bond_of};
+use super::outcome::{Break, Cost, Net, Outcome, Quality, Stop};
+use super::scene::{Scene, SceneSpec, Test};
+use super::stepper::{Block, Stepper};
+use crate::curve::{Curve, Point};
+use crate::problem::Problem;
+
+/// Steps between two searches for broken bonds.
+const BLOCK: usize = 4;
+/// Punch travel of a point of the curve, m.
+const WINDOW: f64 = 0.002;
+/// Part of the force on the punch in the reported force; the rest is the force on the support.
+pub const PUNCH_WEIGHT: f64 = 0.3;
+/// Where the fit of the force at a break begins and ends, m before the break.
+const FIT: (f64, f64) = (0.022, 0.002);
+/// Punch travel without force after which the punch has slipped, m, and what counts as none.
+const SLIP: (f64, f64) = (0.03, 0.2);
+/// Largest energy out of nowhere before a run counts as diverged, over the work of the punch.
+const IMBALANCE: f64 = 0.05;
+/// Largest punch displacement over the panel's side where the caller says nothing.
+const LIMIT: f64 = 0.6;
+
+/// How far a run has come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Punch displacement, m.
+    pub deflection: f64,
+    /// Force, N.
+    pub force: f64,
+    /// Largest strain over the strain at rupture, 0 to 1.
+    pub utilisation: f64,
+    /// Displacement at which the run ends at the latest, m.
+    pub limit: f64,
+    /// Steps so far.
+    pub steps: usize,
+    /// Whether a bond has broken.
+    pub broken: bool,
+}
+
+/// The caller's answer to progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Flow {
+    /// Go on.
+    Continue,
+    /// End the run with what it has.
+    Cancel,
+}
+
+/// Builds a scene and runs it.
+///
+/// `progress` is called after every window and may end the run; time is the caller's to take.
+///
+/// # Errors
+/// What is wrong with the scene or the controls; a step beyond the stability bound is refused here.
+pub fn check(
+    spec: &SceneSpec,
+    controls: &Controls,
+    progress: &mut dyn FnMut(Progress) -> Flow,
+) -> Result<Outcome, Vec<Problem>> {
+    let scene = Scene::new(spec)?;
+    let scheme = controls.scheme(&scene)?;
+    let options = FastOptions {
+        factors: scheme.factors,
+        damping: scheme.damping,
+        true_unloading: scheme.full,
+        path: controls.path.unwrap_or_else(Path::best),
+    };
+    let mut outcome = if scheme.full {
+        drive(&scene, &mut Fast::<f64>::new(&scene, options), &scheme, controls, progress)
+    } else {
+        drive(&scene, &mut Fast::<f32>::new(&scene, options), &scheme, controls, progress)
+    };
+    outcome.skipped = skipped(&scene, &scheme, controls);
+    Ok(outcome)
+}
+
+/// The same for a solver of the caller's, from wherever it stands.
+pub fn drive(
+    scene: &Scene,
+    solver: &mut dyn Stepper,
+    scheme: &Scheme,
+    controls: &Controls,
+    progress: &mut dyn FnMut(Progress) -> Flow,
+) -> Outcome {
+    Run::new(scene, scheme, controls).run(solver, progress)
+}
+
+/// What a run gathers.
+struct Run<'a> {
+    scene: &'a Scene,
+    scheme: &'a Scheme,
+    controls: &'a Controls,
+    limit: f64,
+    points: Vec<Block>,
+    known: Vec<usize>,
+    breaks: Vec<Break>,
+    first_break: Option<Point>,
+    steps: usize,
+    steps_to_break: usize,
+    energy: Ledger,
+    quality: Quality,
+    net: Option<Net>,
+}
+
+/// The energy account up to the first break.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ledger {
+    /// Work of the punch, J.
+    work: f64,
+    /// Taken by damping, J.
+    damped: f64,
+    /// Kinetic energy when last taken, J, and the steps since.
+    kinetic: f64,
+    since: usize,
+    travelled: f64,
+    /// Kinetic energy over work at the samples: (displacement, ratio).
+    worst: f64,
+}
+
+impl<'a> Run<'a> {
+    fn new(scene: &'a Scene, scheme: &'a Scheme, controls: &'a Controls) -> Run<'a> {
+        Run {
+            scene,
+            scheme,
+            controls,
+            limit: controls.limit.unwrap_or(LIMIT * scene.lattice.size[0]),
+            points: Vec::new(),
+            known: Vec::new(),
+            breaks: Vec::new(),
+            first_break: None,
+            steps: 0,
+            steps_to_break: 0,
+            energy: Ledger::default(),
+            quality: Quality::default(),
+            net: None,
+        }
+    }
+
+    fn run(
+        mut self,
+        solver: &mut dyn Stepper,
+        progress: &mut dyn FnMut(Progress) -> Flow,
+    ) -> Outcome {
+        let stop = loop {
+            let utilisation = solver.utilisation();
+            let slow = if self.first_break.is_some() { 1.0 } else { 1.6 - 1.2 * utilisation };
+            let travel = self.scheme.travel * slow.clamp(0.4, 1.0);
+            if let Some(stop) = self.window(solver, travel) {
+                break stop;
+            }
+            if let Some(stop) = self.ended(solver.deflection()) {
+                break stop;
+            }
+            let now = Progress {
+                deflection: solver.deflection(),
+                force: self.points.last().map_or(0.0, weighted),
+                utilisation,
+                limit: self.limit,
+                steps: self.steps,
+                broken: self.first_break.is_some(),
+            };
+            if progress(now) == Flow::Cancel {
+                break Stop::Cancelled;
+            }
+        };
+        self.finish(stop, solver)
+    }
+
+    /// One window; tells if the run must end in it.
+    fn window(&mut self, solver: &mut dyn Stepper, travel: f64) -> Option<Stop> {
+        let blocks = ((WINDOW / travel / BLOCK as f64).round() as usize).max(1);
+        let mut mean = Block::default();
+        let mut broke = false;
+        for _ in 0..blocks {
+            let block = solver.advance(BLOCK, travel);
+            self.steps += BLOCK;
+            if self.first_break.is_none() {
+                self.energy.work += block.punch * travel * BLOCK as f64;
+            }
+            mean.deflection += block.deflection / blocks as f64;
+            mean.punch += block.punch / blocks as f64;
+            mean.support += block.support / blocks as f64;
+            let before = self.known.len();
+            if solver.broken(&mut self.known) > 0 {
+                broke = true;
+                let found: Vec<usize> = self.known[before..].to_vec();
+                for number in found {
+                    self.breaks.push(Break {
+                        number,
+                        role: bond_of(number).1,
+                        deflection: solver.deflection(),
+                        place: self.scene.from_centre(self.scene.lattice.middle(number)),
+                    });
+                }
+                if self.first_break.is_none() {
+                    self.first_break(solver);
+                    if self.quality.energy_balance.abs() > IMBALANCE {
+                        return Some(Stop::Diverged);
+                    }
+                    break;
+                }
+            }
+        }
+        if !(mean.punch.is_finite() && mean.support.is_finite()) {
+            return Some(Stop::Diverged);
+        }
+        // The window of the first break is left out: it is partly before and partly after it.
+        if !(broke && self.known.len() == self.breaks.len() && self.first_just_now(solver)) {
+            self.points.push(mean);
+        }
+        self.account(solver, blocks * BLOCK, travel)
+    }
+
+    /// Whether the first break was found in the last block.
+    fn first_just_now(&self, solver: &dyn Stepper) -> bool {
+        self.first_break.is_some_and(|p| p.deflection >= solver.deflection())
+    }
+
+    /// Keeps the energy account every centimetre; tells if energy comes out of nowhere.
+    fn account(&mut self, solver: &dyn Stepper, steps: usize, travel: f64) -> Option<Stop> {
+        if self.first_break.is_some() {
+            return None;
+        }
+        self.energy.since += steps;
+        self.energy.travelled += travel * steps as f64;
+        if self.energy.travelled < 0.01 {
+            return None;
+        }
+        self.sample(solver);
+        self.energy.travelled = 0.0;
+        // Motion cannot hold more than the punch has put in; a tenth of a joule is far below any test.
+        if !self.energy.kinetic.is_finite() || self.energy.kinetic > self.energy.work + 0.1 {
+            return Some(Stop::Diverged);
+        }
+        if self.points.len() % 50 < 5 {
+            let imbalance = self.imbalance(solver);
+            if imbalance.abs() * self.energy.work > IMBALANCE * self.energy.work + 1.0 {
+                return Some(Stop::Diverged);
+            }
+        }
+        None
+    }
+
+    /// Takes the kinetic energy and what damping took since the last time.
+    fn sample(&mut self, solver: &dyn Stepper) {
+        let kinetic = solver.kinetic();
+        let mean = 0.5 * (kinetic + self.energy.kinetic);
+        self.energy.damped +=
+            solver.damping_loss().unwrap_or(f64::NAN) * mean * self.energy.since as f64;
+        self.energy.kinetic = kinetic;
+        self.energy.since = 0;
+        self.energy.worst = kinetic / self.energy.work.max(1.0);
+    }
+
+    /// Work of the punch that is found in no energy, over that work; 0 where damping is not accounted.
+    fn imbalance(&self, solver: &dyn Stepper) -> f64 {
+        let e = solver.energies();
+        let found = e.bonds + e.kinetic + e.contact + self.energy.damped;
+        let part = (self.energy.work - found) / self.energy.work.max(1.0e-9);
+        if self.energy.damped.is_nan() && found.is_nan() && e.bonds.is_finite() {
+            0.0
+        } else {
+            part
+        }
+    }
+
+    /// Records the first break.
+    fn first_break(&mut self, solver: &dyn Stepper) {
+        self.steps_to_break = self.steps;
+        let at = solver.deflection();
+        self.first_break = Some(Point { deflection: at, force: self.force_at(at) });
+        self.sample(solver);
+        self.quality.energy_balance = self.imbalance(solver);
+        if self.controls.keep_net {
+            self.net = Some(self.drawn(solver));
+        }
+    }
+
+    /// Force at a break, by the line through the points before it.
+    fn force_at(&self, at: f64) -> f64 {
+        let inside = |p: &&Block| at - p.deflection < FIT.0 && at - p.deflection > FIT.1;
+        let points: Vec<&Block> = self.points.iter().filter(inside).collect();
+        if points.len() < 3 {
+            return self.points.last().map_or(0.0, weighted);
+        }
+        let (slope, mean, force) = line(&points);
+        force + slope * (at - mean)
+    }
+
+    /// Whether the run has come to one of its ends.
+    fn ended(&self, deflection: f64) -> Option<Stop> {
+        match self.first_break {
+            Some(first) if deflection >= first.deflection + self.controls.after_break => {
+                return Some(Stop::AfterBreak);
+            }
+            None if self.slipped() => return Some(Stop::Slipped),
+            _ => {}
+        }
+        (deflection >= self.limit).then_some(Stop::DisplacementLimit)
+    }
+
+    fn slipped(&self) -> bool {
+        let Some(last) = self.points.last() else { return false };
+        let peak = self.peak().force;
+        // Below a quarter of one wire's strength there was no hold yet that could have been lost.
+        if peak < 0.25 * self.scene.law.single.force.last().copied().unwrap_or(0.0) {
+            return false;
+        }
+        let lately =
+            self.points.iter().rev().take_while(|p| last.deflection - p.deflection < SLIP.0);
+        let (mut count, mut low) = (0, 0);
+        for p in lately {
+            count += 1;
+            low += usize::from(weighted(p) < SLIP.1 * peak);
+        }
+        count == low && self.points.len() > count
+    }
+
+    fn peak(&self) -> Point {
+        let mut peak = self.first_break.unwrap_or_default();
+        for p in &self.points {
+            if weighted(p) > peak.force {
+                peak = Point { deflection: p.deflection, force: weighted(p) };
+            }
+        }
+        peak
+    }
+
+    fn drawn(&self, solver: &dyn Stepper) -> Net {
+        let lattice = &self.scene.lattice;
+        let mut bonds = Vec::new();
+        for number in self.scene.bond_numbers() {
+            if self.known.contains(&number) {
+                continue;
+            }
+            let (pair, role) = bond_of(number);
+            let (row, column) = (pair / lattice.columns, pair % lattice.columns);
+            match lattice.upper(row, column, role) {
+                _ if role == Role::Twist => bonds.push([2 * pair, 2 * pair + 1]),
+                Some((up, side)) if up > row && side.abs_diff(column) <= 1 => {
+                    bonds.push([2 * pair + 1, 2 * (up * lattice.columns + side)]);
+                }
+                _ => {}
+            }
+        }
+        Net { nodes: solver.positions(), bonds, deflection: solver.deflection() }
+    }
+
+    fn finish(mut self, stop: Stop, solver: &dyn Stepper) -> Outcome {
+        if self.first_break.is_none() {
+            self.steps_to_break = self.steps;
+            self.sample(solver);
+            self.quality.energy_balance = self.imbalance(solver);
+            if self.controls.keep_net {
+                self.net = Some(self.drawn(solver));
+            }
+        }
+        let peak = self.peak();
+        let end = self.first_break.map_or(f64::INFINITY, |p| p.deflection);
+        let before: Vec<&Block> =
+            self.points.iter().filter(|p| p.deflection < end - FIT.1).collect();
+        let reached = before.last().map_or(0.0, |p| p.deflection);
+        let most = before.iter().map(|p| weighted(p)).fold(1.0e-9, f64::max);
+        let gap = before.iter().map(|p| (p.punch - p.support).abs()).fold(0.0, f64::max);
+        let late = before.iter().filter(|p| p.deflection > 0.75 * reached);
+        let (punch, support) = late.fold((0.0, 0.0), |s, p| (s.0 + p.punch, s.1 + p.support));
+        self.quality.kinetic_over_internal = self.energy.worst;
+        self.quality.support_over_punch = if punch > 0.0 { support / punch } else { 0.0 };
+        self.quality.error_estimate =
+            (0.5 * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
+        let curve = Curve {
+            deflection: self.points.iter().map(|p| p.deflection).collect(),
+            force: self.points.iter().map(weighted).collect(),
+            failure: self.first_break,
+        };
+        Outcome {
+            stop,
+            first_break: self.first_break,
+            k75: stiffness_at_75(&before, self.first_break.unwrap_or(peak).force),
+            breaks: self.breaks,
+            peak,
+            energy: self.energy.work,
+            curve,
+            punch: self.points.iter().map(|p| p.punch).collect(),
+            support: self.points.iter().map(|p| p.support).collect(),
+            quality: self.quality,
+            cost: Cost {
+                steps: self.steps,
+                steps_to_break: self.steps_to_break,
+                nodes: self.scene.lattice.nodes(),
+                bonds: self.scene.lattice.bonds(),
+            },
+            skipped: Vec::new(),
+            stretch: self.scene.lattice.stretch,
+            net: self.net,
+        }
+    }
+}
+
+/// The reported force of a point.
+fn weighted(p: &Block) -> f64 {
+    PUNCH_WEIGHT * p.punch + (1.0 - PUNCH_WEIGHT) * p.support
+}
+
+/// Least-squares line through points: slope, mean displacement, mean force.
+fn line(points: &[&Block]) -> (f64, f64, f64) {
+    let n = points.len() as f64;
+    let x = points.iter().map(|p| p.deflection).sum::<f64>() / n;
+    let y = points.iter().map(|p| weighted(p)).sum::<f64>() / n;
+    let (mut top, mut bottom) = (0.0, 0.0);
+    for p in points {
+        top += (p.deflection - x) * (weighted(p) - y);
+        bottom += (p.deflection - x) * (p.deflection - x);
+    }
+    (if bottom > 0.0 { top / bottom } else { 0.0 }, x, y)
+}
+
+/// Tangent where the force is 75 % of `force`, fitted over +-5 % of it, N/m; 0 where there are fewer
+/// than three points.
+fn stiffness_at_75(points: &[&Block], force: f64) -> f64 {
+    let inside = |p: &&&Block| (0.70..=0.80).contains(&(weighted(p) / force));
+    let chosen: Vec<&Block> = points.iter().filter(inside).copied().collect();
+    if chosen.len() < 3 { 0.0 } else { line(&chosen).0 }
+}
+
+/// What this run left out, and what each may change.
+fn skipped(scene: &Scene, scheme: &Scheme, controls: &Controls) -> Vec<String> {
+    let mut list = vec!["contact outside the dome's reach: changes nothing".to_string()];
+    if scene.spec.test == Test::Laboratory {
+        list.push("periodic images: there are none in the laboratory test".into());
+    }
+    if scene.uniform() {
+        list.push("values of single bonds: all are alike without scatter".into());
+    }
+    if !scheme.full {
+        list.push(
+            "elastic unloading, softened to the steepest slope of loading: below 0.1 %".into(),
+        );
+        list.push("double precision: below 0.1 %".into());
+    }
+    if !controls.keep_net {
+        list.push("the deformed net: not asked for".into());
+    }
+    list
+}

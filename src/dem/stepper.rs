@@ -1,0 +1,44 @@
+//! What run control needs of a solver, whichever it is.
+
+/// Means over a block of steps.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Block {
+    /// Mean punch displacement at which the forces were taken, m.
+    pub deflection: f64,
+    /// Mean force on the punch, N.
+    pub punch: f64,
+    /// Mean force on the fixed nodes along z, N.
+    pub support: f64,
+}
+
+/// Energies of the net, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energies {
+    /// Of the fictitious masses.
+    pub kinetic: f64,
+    /// Absorbed by the bonds so far, elastic, plastic and by rupture.
+    pub bonds: f64,
+    /// In the contacts.
+    pub contact: f64,
+}
+
+/// A solver that can be driven: it owns the net's state and moves the punch as told.
+pub trait Stepper {
+    /// Takes `steps` steps with the punch moving `travel` metres in each.
+    fn advance(&mut self, steps: usize, travel: f64) -> Block;
+    /// Punch displacement now, m.
+    fn deflection(&self) -> f64;
+    /// Numbers of the bonds that have broken and were not in `known` yet are added to it, rising.
+    /// Tells how many.
+    fn broken(&self, known: &mut Vec<usize>) -> usize;
+    /// Kinetic energy, J; a not-finite value tells that the state is no longer finite.
+    fn kinetic(&self) -> f64;
+    /// All energies, J.
+    fn energies(&self) -> Energies;
+    /// Largest strain over the strain at rupture among the bonds that hold, 0 to 1.
+    fn utilisation(&self) -> f64;
+    /// Part of its kinetic energy that damping takes in a step, or nothing where damping is not viscous.
+    fn damping_loss(&self) -> Option<f64>;
+    /// Positions of all nodes, bottom and top of each pair in turn, from the panel's corner, m.
+    fn positions(&self) -> Vec<[f64; 3]>;
+}
