@@ -113,9 +113,9 @@ impl Controls {
     /// Every control that is outside its range; a step beyond the stability bound.
     pub fn scheme(&self, scene: &Scene) -> Result<Scheme, Vec<Problem>> {
         let (translation, damping, travel) = match self.fidelity {
-            Fidelity::Quick => (1.15, 0.003, 4.2e-4),
-            Fidelity::Standard => (1.15, 0.002, 1.9e-4),
-            Fidelity::Fine => (1.15, 0.002, 4.5e-5),
+            Fidelity::Quick => (1.15, 0.003, 3.9e-4),
+            Fidelity::Standard => (1.15, 0.002, 2.05e-4),
+            Fidelity::Fine => (1.15, 0.002, 5.5e-5),
             Fidelity::Reference => (1.0, 0.000_6, 5.0e-6),
         };
         let full = self.fidelity == Fidelity::Reference;

@@ -47,25 +47,42 @@ pub struct PairInertia {
     pub cross: f64,
 }
 
-impl PairInertia {
-    /// Kinetic energy of the pair, J, at the velocities (m per step) of its bottom and top node.
+/// The same as inertia, N/m, of the sum and the difference of the velocities; of the one free node
+/// alone where the other is fixed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PairModes {
+    sum: f64,
+    difference: f64,
+    alone: [f64; 2],
+}
+
+impl PairModes {
+    /// The modes of a pair.
+    pub fn of(pair: &PairInertia) -> PairModes {
+        match pair.own.map(|own| own > 0.0) {
+            [true, true] => PairModes {
+                sum: 0.25 / (pair.own[0] + pair.cross),
+                difference: 0.25 / (pair.own[0] - pair.cross),
+                alone: [0.0; 2],
+            },
+            [true, false] => PairModes { alone: [0.5 / pair.own[0], 0.0], ..Self::default() },
+            [false, true] => PairModes { alone: [0.0, 0.5 / pair.own[1]], ..Self::default() },
+            [false, false] => Self::default(),
+        }
+    }
+
+    /// Kinetic energy, J, at the velocities (m per step) of the bottom and the top node.
     pub fn kinetic(&self, bottom: [f64; 3], top: [f64; 3]) -> f64 {
         let mut energy = 0.0;
         for axis in 0..3 {
             let factor = if axis == 2 { OUT_OF_PLANE } else { 1.0 };
             let (b, t) = (bottom[axis], top[axis]);
+            let (sum, difference) = (b + t, b - t);
             energy += factor
-                * if self.own[0] > 0.0 && self.own[1] > 0.0 {
-                    let (sum, difference) = (b + t, b - t);
-                    0.25 * (sum * sum / (self.own[0] + self.cross)
-                        + difference * difference / (self.own[0] - self.cross))
-                } else if self.own[0] > 0.0 {
-                    0.5 * b * b / self.own[0]
-                } else if self.own[1] > 0.0 {
-                    0.5 * t * t / self.own[1]
-                } else {
-                    0.0
-                };
+                * (self.sum * sum * sum
+                    + self.difference * difference * difference
+                    + self.alone[0] * b * b
+                    + self.alone[1] * t * t);
         }
         energy
     }

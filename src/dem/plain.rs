@@ -307,7 +307,8 @@ impl Stepper for Plain {
             .enumerate()
             .map(|(pair, m)| {
                 let seen = |v: [f64; 3]| [v[0], v[1], v[2] * flat.sqrt()];
-                m.kinetic(seen(self.velocity[2 * pair]), seen(self.velocity[2 * pair + 1]))
+                inertia::PairModes::of(m)
+                    .kinetic(seen(self.velocity[2 * pair]), seen(self.velocity[2 * pair + 1]))
             })
             .sum()
     }

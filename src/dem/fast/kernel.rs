@@ -124,6 +124,28 @@ unsafe fn pulls<L: Lanes>(
     }
 }
 
+/// Forces, N, of one bond of taut length `taut` (m) and ramp `start` on a path of lengths (m), by the
+/// kernel's own code in portable single precision. For the proof of the law.
+pub fn follow(kind: &Kind<f32>, start: f64, lengths: &[f64]) -> Vec<f64> {
+    use super::lanes::Portable;
+    type L = Portable<f32, 8>;
+    let mut top = [[start as f32; 8]; 3];
+    lengths
+        .iter()
+        .map(|&length| {
+            let mut out = [0.0_f32; 8];
+            // SAFETY: portable lanes need no instruction set; every address holds 8 numbers.
+            unsafe {
+                let kind = KindLanes::<L>::new(kind);
+                let d = [L::splat(length as f32), L::splat(0.0), L::splat(0.0)];
+                let tops = [0, 1, 2].map(|b: usize| top[b].as_mut_ptr());
+                pulls([&kind; 3], [d; 3], tops, None)[0].mul(d[0]).store(out.as_mut_ptr());
+            }
+            f64::from(out[0])
+        })
+        .collect()
+}
+
 /// Vectors of the dome's constants at an instant.
 #[derive(Clone, Copy)]
 struct DomeLanes<L> {

@@ -17,7 +17,7 @@ pub mod lanes;
 pub mod plane;
 pub mod state;
 
-use super::inertia::{self, PairInertia, StepFactors};
+use super::inertia::{self, PairModes, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
 use super::scene::Scene;
 use super::stepper::{Block, Energies, Stepper};
@@ -72,7 +72,8 @@ const MARGIN: f64 = 0.04;
 #[derive(Debug, Clone)]
 pub struct Fast<R: Kernel> {
     scene: Scene,
-    inertia: Vec<PairInertia>,
+    /// Inertia of the pairs' sums and differences, N/m, so that kinetic energy needs no division.
+    modes: Vec<PairModes>,
     unloading: [f64; 2],
     state: State<R>,
     path: Path,
@@ -112,12 +113,13 @@ impl<R: Kernel> Fast<R> {
             bond.ramp.unloading / bond.taut
         };
         let inertia = inertia::pairs(&scene.lattice, &scene.fixed, &stiffness, options.factors);
+        let modes = inertia.iter().map(PairModes::of).collect();
         let state = State::new(scene, &inertia, unloading, 1.0 - options.damping);
         let path =
             if Path::available().contains(&options.path) { options.path } else { Path::best() };
         Fast {
             scene: scene.clone(),
-            inertia,
+            modes,
             unloading,
             state,
             path,
@@ -236,11 +238,16 @@ impl<R: Kernel> Stepper for Fast<R> {
 
     fn kinetic(&self) -> f64 {
         let mut energy = 0.0;
-        for (pair, inertia) in self.inertia.iter().enumerate() {
-            let at = self.state.at(pair / self.state.columns, pair % self.state.columns);
-            let velocity =
-                |end: usize| std::array::from_fn(|k| self.state.velocity[end][k][at].wide());
-            energy += inertia.kinetic(velocity(0), velocity(1));
+        for row in 0..self.state.rows {
+            for column in 0..self.state.columns {
+                let at = self.state.at(row, column);
+                let velocity = |end: usize| {
+                    let planes = &self.state.velocity[end];
+                    [planes[0][at].wide(), planes[1][at].wide(), planes[2][at].wide()]
+                };
+                let pair = row * self.state.columns + column;
+                energy += self.modes[pair].kinetic(velocity(0), velocity(1));
+            }
         }
         energy
     }
@@ -288,14 +295,16 @@ impl<R: Kernel> Stepper for Fast<R> {
         let mut most = 0.0_f64;
         for (k, plane) in self.state.top.iter().enumerate() {
             let rupture = self.state.kinds[usize::from(k > 0)].rupture;
-            let mut top = R::default();
-            for row in 0..self.state.rows {
-                let at = self.state.at(row, 0);
-                for t in &plane[at..at + self.state.columns] {
-                    top = if *t > top && *t <= rupture { *t } else { top };
+            // Pads hold missing bonds, which are beyond rupture like broken ones. In eight lanes.
+            let mut top = [R::default(); 8];
+            for eight in plane.chunks_exact(8) {
+                for (top, t) in top.iter_mut().zip(eight) {
+                    let t = if *t > rupture { R::default() } else { *t };
+                    *top = if t > *top { t } else { *top };
                 }
             }
-            most = most.max(top.wide() / rupture.wide());
+            let top = top.into_iter().fold(0.0, |most, t| t.wide().max(most));
+            most = most.max(top / rupture.wide());
         }
         most
     }

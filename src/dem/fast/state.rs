@@ -50,7 +50,8 @@ pub struct Kind<R> {
 }
 
 impl<R: Real> Kind<R> {
-    fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> Kind<R> {
+    /// The kind of bonds with this curve and these unloading slope and values.
+    pub fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> Kind<R> {
         let n = curve.strain.len();
         let falling =
             n >= 2 && n - 1 <= LINES && (1..n).all(|k| curve.slope[k] <= curve.slope[k - 1]);

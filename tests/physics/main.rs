@@ -1,0 +1,26 @@
+//! Proofs of the discrete element check: its law, its solvers, the published scenes, its shortcuts
+//! and its stability. Expectations come from closed forms, from published runs of another program,
+//! or from the plain solver; where a test compares with an earlier run of our own it says so.
+
+mod bits;
+mod bond;
+mod small;
+mod solvers;
+mod stability;
+mod stops;
+mod yade;
+
+use meshcast::dem::{PLAIN_PHASE, SceneSpec, Test};
+use meshcast::layout::{Layout, REFERENCE};
+use meshcast::mesh::wire::WireData;
+
+/// A scene of the reference layout with a panel of side `spacing`.
+fn spec(test: Test, spacing: f64, wire: WireData) -> SceneSpec {
+    SceneSpec { layout: Layout { spacing, ..REFERENCE }, test, wire, phase: PLAIN_PHASE, seed: 1 }
+}
+
+/// A small scene: panel of 1.2 m, punch of 0.5 m, plates of 0.25 m.
+fn small_spec(test: Test, wire: WireData) -> SceneSpec {
+    let layout = Layout { spacing: 1.2, punch: 0.5, plate: 0.25, ex: 0.05, ey: -0.03 };
+    SceneSpec { layout, test, wire, phase: [0.6, 0.35], seed: 5 }
+}
