@@ -1,13 +1,18 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`mesh`], [`new`], [`validate`]: the subcommands; [`interactive`]: none of them.
-//! - [`case`]: one layout to forecast, from a project file, flags and defaults.
-//! - [`output`]: results to standard output, errors to standard error, exit codes.
+//! - [`forecast`], [`check`], [`calibrate`], [`mesh`], [`new`], [`validate`]: the subcommands;
+//!   [`interactive`]: none of them.
+//! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
+//!   [`wire`]: the wires of a check.
+//! - [`output`]: results to standard output, errors to standard error, exit codes; [`shapes`]:
+//!   pieces of JSON; [`watch`]: progress, time left and Ctrl+C.
 //!
-//! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
+//! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
+pub mod calibrate;
 pub mod case;
+pub mod check;
 pub mod flags;
 pub mod forecast;
 pub mod interactive;
@@ -16,7 +21,10 @@ mod nearest;
 pub mod new;
 pub mod output;
 pub mod quantity;
+pub mod shapes;
 pub mod validate;
+pub mod watch;
+pub mod wire;
 
 pub use flags::UiFlags;
 
@@ -37,6 +45,7 @@ Examples:
   meshcast forecast -d 250mm -L 2.5 -D 0.6       one layout, as a text
   meshcast forecast road-cut.ron --format json   every layout of a project
   meshcast forecast road-cut.ron --layout 'bench 2' --format csv > curve.csv
+  meshcast check -d 0.32 -L 3 -D 1               the same by discrete elements
 
 Bare numbers are metres and kilonewtons. A project that is named like a command is
 opened by its path: meshcast ./mesh";
@@ -60,6 +69,8 @@ struct Root {
 enum Command {
     New(new::NewArgs),
     Forecast(Box<forecast::ForecastArgs>),
+    Check(Box<check::CheckArgs>),
+    Calibrate(calibrate::CalibrateArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -91,6 +102,8 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
     match command {
         Command::New(args) => new::run(&args),
         Command::Forecast(args) => forecast::run(&args, ui),
+        Command::Check(args) => check::run(&args, ui),
+        Command::Calibrate(args) => calibrate::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

@@ -1,9 +1,11 @@
 //! Results to standard output, everything else to standard error, and exit codes.
 
+use crate::problem::Problem;
 use crate::project::LoadError;
 use crate::units::without_noise;
 use clap::ValueEnum;
 use serde::Serializer;
+use std::borrow::Cow;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -11,6 +13,8 @@ use std::process::ExitCode;
 pub const FAILURE: u8 = 1;
 /// Exit code of bad input: a flag, a value, a file.
 pub const BAD_INPUT: u8 = 2;
+/// Exit code of a run that the user ended with Ctrl+C: 128 and the signal's number.
+pub const INTERRUPTED: u8 = 130;
 
 /// How a result is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -31,6 +35,8 @@ pub struct Output {
     pub notes: Vec<String>,
     /// Whether the result itself is bad news: exit code 1.
     pub failed: bool,
+    /// Whether the user ended it early, so that the result is a part: exit code 130.
+    pub interrupted: bool,
 }
 
 /// Why there is no result.
@@ -48,6 +54,12 @@ impl Fault {
     /// One thing that is wrong with the input.
     pub fn input(said: impl Into<String>) -> Fault {
         Fault::Input(vec![said.into()])
+    }
+}
+
+impl From<Vec<Problem>> for Fault {
+    fn from(found: Vec<Problem>) -> Fault {
+        Fault::Input(found.iter().map(Problem::to_string).collect())
     }
 }
 
@@ -77,6 +89,7 @@ pub fn finish(outcome: Outcome) -> ExitCode {
                 say("note", note);
             }
             match to_stdout(&output.result) {
+                Ok(()) if output.interrupted => ExitCode::from(INTERRUPTED),
                 Ok(()) if output.failed => ExitCode::from(FAILURE),
                 Ok(()) => ExitCode::SUCCESS,
                 // The reader has what it wanted: `| head` is no failure.
@@ -112,6 +125,15 @@ fn to_stdout(text: &str) -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;
     out.flush()
+}
+
+/// Text as a field of CSV after RFC 4180: in quotes where it holds a comma, a quote or a line end.
+pub fn quoted(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(text)
+    }
 }
 
 /// JSON of a value that is made of structs, lists, texts and finite numbers.
@@ -164,6 +186,13 @@ pub fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fields_are_quoted_where_a_reader_needs_it() {
+        assert_eq!(quoted("bench 2"), "bench 2");
+        assert_eq!(quoted("a,b"), "\"a,b\"");
+        assert_eq!(quoted("3\" plate"), "\"3\"\" plate\"");
+    }
 
     #[test]
     fn lines_break_between_words_and_keep_their_indent() {

@@ -1,11 +1,14 @@
 //! Many checks at once, with clocks and threads: what the `dem` room knows nothing of.
 //!
 //! - [`clock`]: processor time and time on the wall.
-//! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band.
+//! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
+//!   the fingerprint of what one was made from.
 //! - `bench`: run time against error on the bench scenes; `convergence`: error against each knob.
-//! - `calibrate`: a wire law that reproduces a mesh's punch test.
-//! - `published`: the paper's own results, as ensembles.
-//! - `record`: an ensemble as JSON.
+//! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
+//! - [`paper`]: the paper's own results beside ensembles of ours.
 
+pub mod calibrate;
 pub mod clock;
 pub mod ensemble;
+pub mod inputs;
+pub mod paper;

@@ -1,5 +1,6 @@
 //! The built binary without a screen: results, errors, exit codes.
 
+mod check;
 mod errors;
 mod forecast_csv_and_text;
 mod forecast_json;

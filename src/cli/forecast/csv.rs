@@ -2,11 +2,10 @@
 //! reader of CSV takes it. Several layouts share one table with the layout's name in front.
 
 use super::Answered;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, quoted};
 use crate::forecast::CURVE_POINTS;
 use crate::forecast::warning::Weight;
 use crate::units::{to_kn, without_noise};
-use std::borrow::Cow;
 use std::fmt::Write;
 
 /// The table, with a note for every layout that has no curve.
@@ -30,32 +29,11 @@ pub fn report(answered: &[Answered], several: bool) -> Output {
             let _ = writeln!(result, "{name}{delta},{force}");
         }
     }
-    Output { result, notes, failed: false }
+    Output { result, notes, ..Output::default() }
 }
 
 fn no_curve(a: &Answered) -> String {
     let name = a.case.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
     let why = a.forecast.warnings.iter().find(|w| w.weight() == Weight::Outside);
     format!("{name}no curve; {}", why.map_or_else(|| "no field value".into(), |w| w.message()))
-}
-
-/// A field as RFC 4180 writes it: in quotes where it holds a comma, a quote or a line end.
-fn quoted(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\n', '\r']) {
-        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
-    } else {
-        Cow::Borrowed(text)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fields_are_quoted_where_a_reader_needs_it() {
-        assert_eq!(quoted("bench 2"), "bench 2");
-        assert_eq!(quoted("a,b"), "\"a,b\"");
-        assert_eq!(quoted("3\" plate"), "\"3\"\" plate\"");
-    }
 }

@@ -1,7 +1,8 @@
 //! A forecast as JSON: SI with kN, one object a layout.
 
 use super::{Answered, BASIS, VERSION};
-use crate::cli::output::{Fault, json, list, number, optional};
+use crate::cli::output::{Fault, json, number, optional};
+use crate::cli::shapes::{CurveJson, InputsJson, Pair, WarningJson, objects, pair};
 use crate::forecast::eccentricity::published;
 use crate::forecast::{CURVE_POINTS, Values};
 use crate::units::{to_kj, to_kn};
@@ -9,13 +10,7 @@ use serde::Serialize;
 
 /// One object, or a list of them with one line each.
 pub fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {
-    let objects =
-        answered.iter().map(|a| json(&Report::of(a))).collect::<Result<Vec<String>, Fault>>()?;
-    Ok(match objects.as_slice() {
-        [one] if !several => format!("{one}\n"),
-        [] => "[]\n".to_string(),
-        all => format!("[\n{}\n]\n", all.join(",\n")),
-    })
+    objects(answered.iter().map(|a| json(&Report::of(a))), several)
 }
 
 #[derive(Serialize)]
@@ -35,32 +30,6 @@ struct Report<'a> {
     curve: Option<CurveJson>,
     warnings: Vec<WarningJson>,
     basis: &'static str,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct InputsJson<'a> {
-    #[serde(serialize_with = "number")]
-    d_m: f64,
-    #[serde(serialize_with = "number")]
-    L_m: f64,
-    #[serde(serialize_with = "number")]
-    D_m: f64,
-    #[serde(serialize_with = "number")]
-    ex_m: f64,
-    #[serde(serialize_with = "number")]
-    ey_m: f64,
-    mesh: &'a str,
-    branch: &'static str,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct Pair {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
 }
 
 #[derive(Serialize)]
@@ -175,44 +144,16 @@ struct AtDeflection {
     beyond_failure: bool,
 }
 
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct CurveJson {
-    #[serde(serialize_with = "list")]
-    delta_m: Vec<f64>,
-    #[serde(serialize_with = "list")]
-    F_kN: Vec<f64>,
-}
-
-#[derive(Serialize)]
-struct WarningJson {
-    code: &'static str,
-    weight: &'static str,
-    message: String,
-}
-
-fn pair(values: Values) -> Pair {
-    Pair { F_kN: to_kn(values.force), delta_m: values.deflection }
-}
-
 impl<'a> Report<'a> {
     fn of(a: &'a Answered) -> Report<'a> {
-        let (f, layout) = (&a.forecast, &a.forecast.layout);
+        let f = &a.forecast;
         let record = &a.case.mesh.laboratory;
         let measured = Values { force: record.force, deflection: record.deflection };
         Report {
             layout: a.case.name.as_deref(),
             version: VERSION,
             fingerprint: a.fingerprint.to_string(),
-            inputs: InputsJson {
-                d_m: layout.plate,
-                L_m: layout.spacing,
-                D_m: layout.punch,
-                ex_m: layout.ex,
-                ey_m: layout.ey,
-                mesh: &a.case.mesh.id,
-                branch: f.rule.word(),
-            },
+            inputs: InputsJson::of(&a.case),
             lab: Lab {
                 standard: pair(f.laboratory),
                 statistic: record.statistic.word(),
@@ -253,13 +194,7 @@ impl<'a> Report<'a> {
                 delta_field_over_lab: f.deflection_over_lab(),
             },
             design: design(a),
-            curve: f.field.map(|field| {
-                let curve = field.curve(CURVE_POINTS);
-                CurveJson {
-                    F_kN: curve.force.iter().map(|v| to_kn(*v)).collect(),
-                    delta_m: curve.deflection,
-                }
-            }),
+            curve: f.field.map(|field| CurveJson::from(&field.curve(CURVE_POINTS))),
             warnings: f
                 .warnings
                 .iter()
