@@ -179,7 +179,7 @@ fn stop(stop: Stop) -> &'static str {
 
 fn runs(page: &mut Page, c: &Checked) {
     page.lines
-        .push("run  alignment   first break       peak   breaks  first wire, x, y    end".into());
+        .push("run  alignment   first break       peak   breaks  first wire, x, y  end".into());
     for (k, run) in c.ensemble.runs.iter().take(LISTED).enumerate() {
         page.lines.push(run_line(k, run, page.unit).trim_end().to_string());
     }
@@ -211,7 +211,7 @@ fn run_line(k: usize, run: &Run, unit: LengthUnit) -> String {
         format!("{word:<5} {:+.2} {:+.2}", b.place[0], b.place[1])
     });
     format!(
-        "{:>3}  {:.2}, {:.2}  {first:<17} {:>5}  {:>6}  {wire:<18}  {}",
+        "{:>3}  {:.2}, {:.2}  {first:<17} {:>5}  {:>6}  {wire:<17} {}",
         k + 1,
         run.phase[0],
         run.phase[1],
