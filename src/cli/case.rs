@@ -62,7 +62,7 @@ impl Source {
     pub fn with_defaults(&self, defaults: &[(Input, f64)]) -> Source {
         let mut source = self.clone();
         if self.project.is_none() {
-            let inputs = &mut source.inputs;
+            let inputs = &mut source.inputs.geometry;
             for (input, value) in defaults {
                 let flag = match input {
                     Input::Plate => &mut inputs.plate,
@@ -79,10 +79,10 @@ impl Source {
     }
 }
 
-/// Inputs of a forecast on the command line; each goes above the file.
+/// Panel, plates, punch and mesh on the command line; each goes above the file.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Inputs (above the file's; default: the paper's reference panel)")]
-pub struct Inputs {
+pub struct Geometry {
     /// Side of the square anchor plate, d [default: 0.32 m].
     #[arg(short = 'd', value_name = "M", value_parser = quantity::size, allow_hyphen_values = true)]
     plate: Option<f64>,
@@ -101,6 +101,14 @@ pub struct Inputs {
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.
     #[arg(long, value_name = "ID")]
     mesh: Option<String>,
+}
+
+/// Inputs of a forecast on the command line; each goes above the file.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Inputs (above the file's; default: the paper's reference panel)")]
+pub struct Inputs {
+    #[command(flatten)]
+    geometry: Geometry,
     /// Branch of Eqs. A.1-A.2: by the size of the block as published, or the lower force.
     #[arg(long, value_name = "RULE", value_parser = branch_rule())]
     branch: Option<BranchRule>,
@@ -116,6 +124,12 @@ pub struct Inputs {
     /// Partial factor on the load [default: 1].
     #[arg(long, value_name = "X", value_parser = quantity::factor, allow_hyphen_values = true)]
     gamma_load: Option<f64>,
+}
+
+impl From<Geometry> for Inputs {
+    fn from(geometry: Geometry) -> Self {
+        Inputs { geometry, ..Inputs::default() }
+    }
 }
 
 fn branch_rule() -> impl TypedValueParser<Value = BranchRule> {
@@ -213,17 +227,17 @@ impl Inputs {
         known: &[String],
     ) -> Result<Case, Fault> {
         let set = |to: &mut f64, from: Option<f64>| *to = from.unwrap_or(*to);
-        set(&mut entry.plate, self.plate);
-        set(&mut entry.spacing, self.spacing);
-        set(&mut entry.punch, self.punch);
-        set(&mut entry.ex, self.ex);
-        set(&mut entry.ey, self.ey);
+        set(&mut entry.plate, self.geometry.plate);
+        set(&mut entry.spacing, self.geometry.spacing);
+        set(&mut entry.punch, self.geometry.punch);
+        set(&mut entry.ex, self.geometry.ex);
+        set(&mut entry.ey, self.geometry.ey);
         set(&mut entry.gamma_resistance, self.gamma_resistance);
         set(&mut entry.gamma_load, self.gamma_load);
         entry.design_force = self.force.or(entry.design_force);
         entry.allowable_deflection = self.deflection.or(entry.allowable_deflection);
         entry.branch = self.branch.unwrap_or(entry.branch);
-        if let Some(id) = &self.mesh {
+        if let Some(id) = &self.geometry.mesh {
             entry.mesh.clone_from(id);
         }
         let Some(mesh) = find(&entry.mesh) else {
@@ -240,11 +254,11 @@ impl Inputs {
     /// A problem of a layout's field at the flag, or at the layout of the file, that it comes from.
     fn placed(&self, mut problem: Problem, layout: Option<&str>) -> Problem {
         let (flag, given) = match problem.field.as_str() {
-            "d" => ("-d", self.plate.is_some()),
-            "L" => ("-L", self.spacing.is_some()),
-            "D" => ("-D", self.punch.is_some()),
-            "ex" => ("--ex", self.ex.is_some()),
-            "ey" => ("--ey", self.ey.is_some()),
+            "d" => ("-d", self.geometry.plate.is_some()),
+            "L" => ("-L", self.geometry.spacing.is_some()),
+            "D" => ("-D", self.geometry.punch.is_some()),
+            "ex" => ("--ex", self.geometry.ex.is_some()),
+            "ey" => ("--ey", self.geometry.ey.is_some()),
             "design_force" => ("--force", self.force.is_some()),
             "allowable_deflection" => ("--deflection", self.deflection.is_some()),
             "gamma_resistance" => ("--gamma-resistance", self.gamma_resistance.is_some()),

@@ -33,7 +33,7 @@ impl Destination {
     /// Why the file was not written; it is as it was then.
     pub fn put(&self, text: String, notes: Vec<String>, source: &Path) -> Outcome {
         let Some(path) = self.path() else {
-            return Ok(Output { result: text, notes, failed: false });
+            return Ok(Output { result: text, notes, ..Output::default() });
         };
         if same_file(path, source) {
             return Err(Fault::input(format!(
@@ -43,7 +43,7 @@ impl Destination {
         }
         let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
         write_file(path, &text, overwrite).map_err(fault)?;
-        Ok(Output { result: format!("{}\n", path.display()), notes, failed: false })
+        Ok(Output { result: format!("{}\n", path.display()), notes, ..Output::default() })
     }
 }
 

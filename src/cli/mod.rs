@@ -7,10 +7,17 @@
 //! - [`case`]: one layout to forecast, from a project file, flags and defaults.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
 //! - [`output`]: results to standard output, errors to standard error, exit codes.
+//! - [`forecast`], [`check`], [`calibrate`], [`mesh`], [`new`], [`validate`]: the subcommands;
+//! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
+//!   [`wire`]: the wires of a check.
+//! - [`output`]: results to standard output, errors to standard error, exit codes; [`shapes`]:
+//!   pieces of JSON; [`watch`]: progress, time left and Ctrl+C.
 //!
-//! Exit codes: 0 for a result, 1 for a failure, 2 for bad input.
+//! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
+pub mod calibrate;
 pub mod case;
+pub mod check;
 pub mod compare;
 pub mod design;
 pub mod destination;
@@ -26,10 +33,12 @@ mod page;
 pub mod quantity;
 pub mod report;
 pub mod sensitivity;
-mod shapes;
+pub mod shapes;
 pub mod source;
 pub mod sweep;
 pub mod validate;
+pub mod watch;
+pub mod wire;
 
 pub use crate::VERSION;
 pub use flags::UiFlags;
@@ -55,6 +64,7 @@ Examples:
   meshcast design -d 0.25 --force 20 --gamma-load 1.3 --solve L
   meshcast export road-cut.ron --what chart -o road-cut.svg
   meshcast report road-cut.ron -o road-cut.html  all numbers and how to repeat them
+  meshcast check -d 0.32 -L 3 -D 1               the same by discrete elements
 
 Bare numbers are metres and kilonewtons. A project that is named like a command is
 opened by its path: meshcast ./mesh";
@@ -84,6 +94,8 @@ enum Command {
     Design(Box<design::DesignArgs>),
     Export(export::ExportArgs),
     Report(report::ReportArgs),
+    Check(Box<check::CheckArgs>),
+    Calibrate(calibrate::CalibrateArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -121,6 +133,8 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
         Command::Design(args) => design::run(&args, ui),
         Command::Export(args) => export::run(&args, ui),
         Command::Report(args) => report::run(&args, ui),
+        Command::Check(args) => check::run(&args, ui),
+        Command::Calibrate(args) => calibrate::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

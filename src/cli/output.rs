@@ -1,5 +1,6 @@
 //! Results to standard output, everything else to standard error, and exit codes.
 
+use crate::problem::Problem;
 use crate::project::LoadError;
 use crate::units::without_noise;
 use clap::ValueEnum;
@@ -12,6 +13,8 @@ use std::process::ExitCode;
 pub const FAILURE: u8 = 1;
 /// Exit code of bad input: a flag, a value, a file.
 pub const BAD_INPUT: u8 = 2;
+/// Exit code of a run that the user ended with Ctrl+C: 128 and the signal's number.
+pub const INTERRUPTED: u8 = 130;
 
 /// How a result is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -44,6 +47,8 @@ pub struct Output {
     pub notes: Vec<String>,
     /// Whether the result itself is bad news: exit code 1.
     pub failed: bool,
+    /// Whether the user ended it early, so that the result is a part: exit code 130.
+    pub interrupted: bool,
 }
 
 /// Why there is no result.
@@ -61,6 +66,12 @@ impl Fault {
     /// One thing that is wrong with the input.
     pub fn input(said: impl Into<String>) -> Fault {
         Fault::Input(vec![said.into()])
+    }
+}
+
+impl From<Vec<Problem>> for Fault {
+    fn from(found: Vec<Problem>) -> Fault {
+        Fault::Input(found.iter().map(Problem::to_string).collect())
     }
 }
 
@@ -90,6 +101,7 @@ pub fn finish(outcome: Outcome) -> ExitCode {
                 say("note", note);
             }
             match to_stdout(&output.result) {
+                Ok(()) if output.interrupted => ExitCode::from(INTERRUPTED),
                 Ok(()) if output.failed => ExitCode::from(FAILURE),
                 Ok(()) => ExitCode::SUCCESS,
                 // The reader has what it wanted: `| head` is no failure.
@@ -127,6 +139,15 @@ fn to_stdout(text: &str) -> io::Result<()> {
     out.flush()
 }
 
+/// Text as a field of CSV after RFC 4180: in quotes where it holds a comma, a quote or a line end.
+pub fn quoted(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
 /// JSON of a value that is made of structs, lists, texts and finite numbers.
 pub fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
     serde_json::to_string(value)
@@ -162,15 +183,6 @@ pub fn json_list<T: serde::Serialize>(
         [] => "[]\n".to_string(),
         all => format!("[\n{}\n]\n", all.join(",\n")),
     })
-}
-
-/// A field of CSV as RFC 4180 writes it: in quotes where it holds a comma, a quote or a line end.
-pub fn quoted(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\n', '\r']) {
-        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
-    } else {
-        Cow::Borrowed(text)
-    }
 }
 
 /// A number as a field of CSV, without the noise of conversion; empty where it is missing.

@@ -45,6 +45,35 @@ pub fn factor(text: &str) -> Result<f64, String> {
     read(text, Quantity::Number, "0.5 to 5")
 }
 
+/// Largest force of a laboratory test, N.
+pub fn test_force(text: &str) -> Result<f64, String> {
+    above_zero(force(text)?, "above 0, up to 10000 kN", 1.0e7)
+}
+
+/// A length above 0, up to 100 m.
+pub fn length(text: &str) -> Result<f64, String> {
+    let allowed = "above 0, up to 100 m";
+    above_zero(read(text, Quantity::Length, allowed)?, allowed, 100.0)
+}
+
+/// A length of 0 or more, up to 10 m.
+pub fn distance(text: &str) -> Result<f64, String> {
+    read(text, Quantity::Length, "from 0, up to 10 m")
+}
+
+/// A number without a unit; its range is checked where it is used.
+pub fn number(text: &str) -> Result<f64, String> {
+    parse(text, Quantity::Number, LengthUnit::Metre).map_err(|e| e.to_string())
+}
+
+fn above_zero(value: f64, allowed: &str, most: f64) -> Result<f64, String> {
+    if value > 0.0 && value <= most {
+        Ok(value)
+    } else {
+        Err(format!("the value is out of range; allowed: {allowed}"))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

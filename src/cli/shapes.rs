@@ -1,7 +1,8 @@
 //! Parts of JSON results that several commands share, by the names that `forecast` gave them: SI with
 //! kN.
 
-use super::output::{number, optional};
+use super::output::{Fault, list, number, optional};
+use crate::curve::{Curve, Point};
 use crate::forecast::Values;
 use crate::forecast::design::{Answer, Question};
 use crate::forecast::warning::Warning;
@@ -11,7 +12,7 @@ use crate::units::{to_kj, to_kn};
 use serde::Serialize;
 
 /// The inputs of a layout.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
 pub struct InputsJson<'a> {
     #[serde(serialize_with = "number")]
@@ -29,7 +30,7 @@ pub struct InputsJson<'a> {
 }
 
 /// A force with its deflection.
-#[derive(Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
 pub struct Pair {
     #[serde(serialize_with = "number")]
@@ -85,7 +86,7 @@ pub struct AtDeflection {
 }
 
 /// A warning.
-#[derive(Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WarningJson {
     pub code: &'static str,
     pub weight: &'static str,
@@ -143,6 +144,44 @@ impl Design {
                     beyond_failure: at.beyond_failure,
                 }
             }),
+        }
+    }
+}
+
+/// The lines of objects as one object, or as a list with one line each.
+pub fn objects(
+    lines: impl Iterator<Item = Result<String, Fault>>,
+    several: bool,
+) -> Result<String, Fault> {
+    let lines = lines.collect::<Result<Vec<String>, Fault>>()?;
+    Ok(match lines.as_slice() {
+        [one] if !several => format!("{one}\n"),
+        [] => "[]\n".to_string(),
+        all => format!("[\n{}\n]\n", all.join(",\n")),
+    })
+}
+
+impl From<Point> for Pair {
+    fn from(p: Point) -> Pair {
+        Pair { F_kN: to_kn(p.force), delta_m: p.deflection }
+    }
+}
+
+/// A curve.
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct CurveJson {
+    #[serde(serialize_with = "list")]
+    delta_m: Vec<f64>,
+    #[serde(serialize_with = "list")]
+    F_kN: Vec<f64>,
+}
+
+impl From<&Curve> for CurveJson {
+    fn from(curve: &Curve) -> CurveJson {
+        CurveJson {
+            delta_m: curve.deflection.clone(),
+            F_kN: curve.force.iter().map(|v| to_kn(*v)).collect(),
         }
     }
 }

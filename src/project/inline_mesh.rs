@@ -5,6 +5,7 @@ use super::decode::Found;
 use super::text::{Kind, Node, Shape, line_column, offset_at};
 use super::words;
 use crate::mesh::MeshType;
+use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 
 /// RON as the program reads it everywhere: optional values need no `Some`.
@@ -17,31 +18,63 @@ pub fn ron_options() -> ron::Options {
 /// # Errors
 /// The first thing that is wrong with its fields.
 pub fn read(text: &str, node: &Node, path: &str) -> Result<MeshType, Found> {
-    if let Some(found) = decimal_comma_in_curve(text, node, path) {
+    if let Some(wire) = node.field("wire")
+        && let Some(found) = decimal_comma_in_curve(text, &wire.value, &format!("{path}.wire."))
+    {
         return Err(found);
     }
     ron_options()
         .from_str::<MeshType>(node.span.of(text))
-        .map_err(|e| translate(text, node, path, &e))
+        .map_err(|e| translate(text, node, path, &e, in_mesh))
+}
+
+/// Reads the wire data that are the whole of a text.
+///
+/// # Errors
+/// The first thing that is wrong with its fields.
+pub fn read_wire(text: &str, node: &Node) -> Result<WireData, Found> {
+    if let Some(found) = decimal_comma_in_curve(text, node, "") {
+        return Err(found);
+    }
+    ron_options()
+        .from_str::<WireData>(node.span.of(text))
+        .map_err(|e| translate(text, node, "", &e, in_wire))
 }
 
 /// A mesh type as RON, one field a line, `indent` steps of four blanks in.
 pub fn write(mesh: &MeshType, indent: usize) -> Option<String> {
-    let pretty = ron::ser::PrettyConfig::new()
-        .depth_limit(4)
-        .new_line("\n")
-        .extensions(ron::extensions::Extensions::IMPLICIT_SOME);
-    let mut text = ron_options().to_string_pretty(mesh, pretty).ok()?;
-    // The writer names the extension that is on anyway.
-    if let Some(rest) = text.strip_prefix("#![enable(implicit_some)]") {
-        text = rest.trim_start().to_string();
-    }
+    let text = pretty(mesh)?;
     // Line feeds inside strings are escaped by the writer, so every one of these starts a line.
     Some(text.replace('\n', &format!("\n{}", "    ".repeat(indent))))
 }
 
-/// A problem of the `ron` crate in this room's words, at its place.
-pub fn translate(text: &str, node: &Node, path: &str, error: &ron::error::SpannedError) -> Found {
+fn pretty(value: &impl serde::Serialize) -> Option<String> {
+    let pretty = ron::ser::PrettyConfig::new()
+        .depth_limit(4)
+        .new_line("\n")
+        .extensions(ron::extensions::Extensions::IMPLICIT_SOME);
+    let mut text = ron_options().to_string_pretty(value, pretty).ok()?;
+    // The writer names the extension that is on anyway.
+    if let Some(rest) = text.strip_prefix("#![enable(implicit_some)]") {
+        text = rest.trim_start().to_string();
+    }
+    Some(text)
+}
+
+/// Wire data as RON, one field a line.
+pub fn write_wire(wire: &WireData) -> Option<String> {
+    pretty(wire)
+}
+
+/// A problem of the `ron` crate in this room's words, at its place. `holder` tells where the structs
+/// of the mesh room stand.
+fn translate(
+    text: &str,
+    node: &Node,
+    path: &str,
+    error: &ron::error::SpannedError,
+    holder: fn(&str) -> &'static str,
+) -> Found {
     use ron::Error as E;
     let base = node.span.start;
     let inside = node.span.of(text);
@@ -71,7 +104,7 @@ pub fn translate(text: &str, node: &Node, path: &str, error: &ron::error::Spanne
             (field.unwrap_or(start), words::unknown_field(&full(&inner), found, expected))
         }
         E::MissingStructField { field, outer } => {
-            let holder = holder(outer.as_deref());
+            let holder = outer.as_deref().map_or("", holder);
             let inner =
                 if holder.is_empty() { (*field).to_string() } else { format!("{holder}.{field}") };
             let problem = Problem::new(full(&inner), "this field is missing")
@@ -96,13 +129,22 @@ pub fn translate(text: &str, node: &Node, path: &str, error: &ron::error::Spanne
 }
 
 /// Where in a mesh a struct of the mesh room stands; the mesh itself for one not known here.
-fn holder(name: Option<&str>) -> &'static str {
+fn in_mesh(name: &str) -> &'static str {
     match name {
-        Some("LabRecord") => "laboratory",
-        Some("RatioRecord") => "ratios",
-        Some("WireData") => "wire",
-        Some("NetGeometry") => "wire.net",
-        Some("Distortion") => "wire.distortion",
+        "LabRecord" => "laboratory",
+        "RatioRecord" => "ratios",
+        "WireData" => "wire",
+        "NetGeometry" => "wire.net",
+        "Distortion" => "wire.distortion",
+        _ => "",
+    }
+}
+
+/// The same in a file of wire data.
+fn in_wire(name: &str) -> &'static str {
+    match name {
+        "NetGeometry" => "net",
+        "Distortion" => "distortion",
         _ => "",
     }
 }
@@ -161,8 +203,8 @@ fn value_at<'n>(node: &'n Node, path: &str) -> Option<&'n Node> {
 }
 
 /// A curve point of more than two numbers, which is a decimal comma; RON's own words do not help.
-fn decimal_comma_in_curve(text: &str, node: &Node, path: &str) -> Option<Found> {
-    let wire = node.field("wire")?.value.unwrapped();
+fn decimal_comma_in_curve(text: &str, wire: &Node, path: &str) -> Option<Found> {
+    let wire = wire.unwrapped();
     for name in ["single", "double_twist"] {
         let Some(points) = wire.field(name).and_then(|e| e.value.items()) else { continue };
         for (k, point) in points.iter().enumerate() {
@@ -174,7 +216,7 @@ fn decimal_comma_in_curve(text: &str, node: &Node, path: &str) -> Option<Found> 
                 .is_some_and(|items| items.iter().all(|e| matches!(e.value.kind, Kind::Number(_))));
             if many && numbers {
                 let problem = Problem::new(
-                    format!("{path}.wire.{name}[{k}]"),
+                    format!("{path}{name}[{k}]"),
                     "a point is a strain and a stress, two numbers",
                 )
                 .value(words::shorten(point.value.span.of(text)))

@@ -4,6 +4,7 @@
 //! - [`load()`], [`parse`]: file to project; [`error`]: what is said when that fails.
 //! - [`document`]: an open file; [`save`]: back to disk.
 //! - [`write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
+//! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place.
 //! - [`migrate`]: older formats. [`text`]: the reader below all this.
 
@@ -20,6 +21,7 @@ pub mod recovery;
 pub mod save;
 pub mod schema;
 pub mod text;
+pub mod wire_file;
 mod words;
 pub mod write;
 
@@ -30,4 +32,5 @@ pub use load::{load, parse};
 pub use recovery::Recovery;
 pub use save::{Overwrite, SaveError, SaveReport, create, write_file};
 pub use schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
+pub use wire_file::{load_wire, wire_text};
 pub use write::new_project;

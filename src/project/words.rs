@@ -109,6 +109,18 @@ pub fn example(field: &str) -> &'static str {
         "statistic" => "Mean",
         "laboratory" => "(force: 73.3, deflection: 0.60, statistic: Mean, source: \"...\")",
         "source" => "\"where the values stand\"",
+        "net" => {
+            "(opening: 0.08, twist: 0.04, projection: 0.04, diameter: 0.0027, node_mass: 0.0039, node_radius: 0.0108)"
+        }
+        "single" | "double_twist" => "[(0.002, 250.0), (0.14, 566.0)] (strain, stress in MPa)",
+        "slack" => "Triangular",
+        "opening" => "0.08",
+        "twist" | "projection" => "0.04",
+        "diameter" => "0.0027",
+        "node_mass" => "0.0039",
+        "node_radius" => "0.0108",
+        "lambda_u" => "0.03",
+        "lambda_f" => "1.0",
         _ => "\"...\"",
     }
 }

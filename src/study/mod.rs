@@ -10,11 +10,11 @@
 //! Over checks, with the clocks and threads that the `dem` room knows nothing of:
 //!
 //! - [`clock`]: processor time and time on the wall.
-//! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band.
+//! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
+//!   the fingerprint of what one was made from.
 //! - [`bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
-//! - [`published`]: the paper's own results, as ensembles.
-//! - [`record`]: an ensemble as JSON.
+//! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub mod bench;
 pub mod calibrate;
@@ -23,8 +23,8 @@ pub mod clock;
 pub mod compare;
 pub mod convergence;
 pub mod ensemble;
-pub mod published;
-pub mod record;
+pub mod inputs;
+pub mod paper;
 pub mod sensitivity;
 pub mod solve;
 pub mod sweep;

@@ -1,5 +1,6 @@
 //! The built binary without a screen: results, errors, exit codes.
 
+mod check;
 mod errors;
 mod exporting;
 mod forecast_csv_and_text;

@@ -15,7 +15,7 @@ pub fn report(answered: &[Answered], several: bool) -> Output {
     });
     let result = curves(with_curve, several);
     let notes = answered.iter().filter(|a| a.forecast.field.is_none()).map(no_curve).collect();
-    Output { result, notes, failed: false }
+    Output { result, notes, ..Output::default() }
 }
 
 fn no_curve(a: &Answered) -> String {

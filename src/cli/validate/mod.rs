@@ -1,19 +1,41 @@
-//! `meshcast validate`: everything that the paper prints beside what this program returns.
+//! `meshcast validate`: everything that the paper prints beside what this program returns; with
+//! `--dem` its simulations beside ours ([`dem`]).
 //!
 //! Exit code 1 when a printed digit differs.
 
+mod dem;
+
 use super::VERSION;
+use super::check::{fidelity, threads};
 use super::output::{Format, Outcome, Output, json, number, wrapped};
+use crate::dem::Fidelity;
 use crate::forecast::published::{
     Comparison, TestRow, Validation, published, reference_point_factors, validate,
 };
+use crate::study::paper::Options;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write;
+use std::num::NonZeroUsize;
 
 /// Compare the program with everything that the paper prints; exit code 1 if a digit differs.
 #[derive(Debug, Args)]
 pub struct ValidateArgs {
+    /// Compare the paper's simulations with ours too: some minutes.
+    #[arg(long)]
+    dem: bool,
+    /// How exactly each of our runs is computed.
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", requires = "dem", value_parser = fidelity())]
+    fidelity: Fidelity,
+    /// Seed of alignments and slack of our runs.
+    #[arg(long, value_name = "S", default_value_t = 0, requires = "dem")]
+    seed: u64,
+    /// Wires of our runs instead of the reference mesh's: bench, yade, reference or a mesh file.
+    #[arg(long, value_name = "LAW", requires = "dem")]
+    law: Option<String>,
+    /// Threads; the result does not depend on them [default: as many as the machine has].
+    #[arg(long, value_name = "N", requires = "dem")]
+    threads: Option<NonZeroUsize>,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -21,15 +43,41 @@ pub struct ValidateArgs {
 
 /// Compares and prints the tables.
 pub fn run(args: &ValidateArgs) -> Outcome {
-    outcome(&validate(), args.format)
+    let validation = validate();
+    if !args.dem {
+        return outcome(&validation, args.format);
+    }
+    let failed = !validation.agrees();
+    let options =
+        Options { fidelity: args.fidelity, seed: args.seed, threads: threads(args.threads) };
+    let Some(compared) = dem::compare(args.law.as_deref(), &options)? else {
+        return Ok(Output { interrupted: true, ..Output::default() });
+    };
+    let result = match args.format {
+        Format::Text => format!("{}\n{}", text(&validation), dem::text(&compared)),
+        Format::Json => {
+            let dem = dem::DemJson::of(&compared);
+            json(&WithDem { closed_form: ValidationJson::of(&validation), dem })? + "\n"
+        }
+    };
+    Ok(Output { result, failed, ..Output::default() })
 }
 
+/// The comparison of the closed form alone.
 fn outcome(validation: &Validation, format: Format) -> Outcome {
     let result = match format {
         Format::Text => text(validation),
         Format::Json => json(&ValidationJson::of(validation))? + "\n",
     };
     Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
+}
+
+/// The closed form's comparison with that of the simulations beside it.
+#[derive(Serialize)]
+struct WithDem<'a> {
+    #[serde(flatten)]
+    closed_form: ValidationJson,
+    dem: dem::DemJson<'a>,
 }
 
 fn text(v: &Validation) -> String {

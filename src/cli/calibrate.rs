@@ -1,0 +1,391 @@
+//! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
+
+use super::check::{fidelity, threads};
+use super::output::{Fault, Format, Outcome, Output, json, number, wrapped};
+use super::shapes::Pair;
+use super::watch::Watch;
+use super::{VERSION, quantity, wire};
+use crate::dem::{Controls, Fidelity};
+use crate::mesh::wire::{CurvePoint, WireData};
+use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
+use crate::project::{self, SaveError, wire_text};
+use crate::study::calibrate::{Fit, Options, Target, anchored_reference, fit};
+use crate::study::ensemble::{self, Ensemble, Plan, Spread};
+use crate::study::paper::ANCHORED;
+use crate::units::{shortest, significant, to_kn};
+use clap::Args;
+use serde::Serialize;
+use std::fmt::Write;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+const AFTER_HELP: &str = "\
+Two scales are fitted, on single wire and double twist alike: all stresses (the elastic modulus
+stays), and the strains past the first point of the curve. Net, slack, the shapes of the curves and
+the ratio of twist to wire are those of --from. The result can be used with check --mesh-file.";
+
+/// Fit a wire law to a laboratory punch test.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct CalibrateArgs {
+    /// Force at failure of the test.
+    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true)]
+    force: f64,
+    /// Deflection at failure of the test.
+    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true)]
+    deflection: f64,
+    /// Side of the test's panel.
+    #[arg(long, value_name = "M", default_value_t = STANDARD_PANEL, value_parser = quantity::length, allow_hyphen_values = true)]
+    panel: f64,
+    /// Diameter of the test's punch.
+    #[arg(long, value_name = "M", default_value_t = STANDARD_PUNCH, value_parser = quantity::length, allow_hyphen_values = true)]
+    punch: f64,
+    /// What to start from: a mesh of the catalogue, a law (bench, yade, reference) or a mesh file.
+    #[arg(long, value_name = "MESH", default_value = "reference")]
+    from: String,
+    /// Writes the fitted wires to a new file, for check --mesh-file.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Runs of the laboratory ensemble in each trial.
+    #[arg(long, value_name = "N", default_value_t = Options::default().runs as u16, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    runs: u16,
+    /// Seed of alignments and slack.
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    seed: u64,
+    /// How exactly each run is computed.
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = fidelity())]
+    fidelity: Fidelity,
+    /// Threads; the result does not depend on them [default: as many as the machine has].
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// What a calibration found.
+struct Result<'a> {
+    args: &'a CalibrateArgs,
+    fit: Fit,
+    /// What the fitted law says of the anchored reference, which it was not fitted to.
+    anchored: Ensemble,
+}
+
+/// Fits, predicts and prints.
+pub fn run(args: &CalibrateArgs) -> Outcome {
+    let start = start(&args.from)?;
+    if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {
+        return Err(exists(path));
+    }
+    let target = Target {
+        force: args.force,
+        deflection: args.deflection,
+        panel: args.panel,
+        punch: args.punch,
+    };
+    let options = Options {
+        runs: usize::from(args.runs),
+        seed: args.seed,
+        fidelity: args.fidelity,
+        threads: threads(args.threads),
+    };
+    let watch = Watch::start();
+    // Four trials and the anchored reference are usual.
+    let parts = 5;
+    let fitted = fit(&start, &target, &options, &|trial, now| {
+        watch.part(&format!("trial {}", trial + 1), trial.min(parts - 2), parts, target.deflection);
+        watch.tell(now)
+    })
+    .map_err(|found| Fault::Input(found.iter().map(|p| at_flag(p.clone())).collect()))?;
+    let Some(mut fit) = fitted else { return interrupted(&watch) };
+    fit.wire = rounded(&fit.wire);
+    fit.wire.source = source(args, &fit, &start);
+    let controls = Controls { fidelity: args.fidelity, after_break: 0.0, ..Controls::default() };
+    let plan = Plan { runs: None, seed: args.seed, phase: None, threads: options.threads };
+    watch.begin("anchored reference", parts - 1, parts, ANCHORED[1]);
+    let spec = anchored_reference(fit.wire.clone());
+    let anchored = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))?;
+    if watch.cancelled() {
+        return interrupted(&watch);
+    }
+    watch.finish(&format!("{} trials", fit.trials));
+    let result = Result { args, fit, anchored };
+    if let Some(path) = &args.out {
+        write_wires(path, &result)?;
+    }
+    let text = match args.format {
+        Format::Text => text(&result),
+        Format::Json => json(&ResultJson::of(&result))? + "\n",
+    };
+    let mut notes = Vec::new();
+    if !result.fit.found {
+        notes
+            .push("the fit did not come within 0.3 % of the test; the nearest law is given".into());
+    }
+    Ok(Output { result: text, notes, failed: !result.fit.found, ..Output::default() })
+}
+
+fn interrupted(watch: &Watch) -> Outcome {
+    watch.finish("no fit yet");
+    Ok(Output { interrupted: true, ..Output::default() })
+}
+
+/// The wires to start from.
+fn start(from: &str) -> std::result::Result<WireData, Fault> {
+    match catalogue::find(from) {
+        Some(mesh) => mesh.wire.clone().ok_or_else(|| Fault::input(wire::without_wire(&mesh))),
+        None if laws::find(from).is_none() && !from.contains(['.', '/', '\\']) => {
+            let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
+            Err(Fault::input(super::case::unknown_mesh("--from", from, &known)))
+        }
+        None => wire::named_or_file(from),
+    }
+}
+
+/// A problem of the scene at the flag it comes from.
+fn at_flag(mut problem: crate::problem::Problem) -> String {
+    problem.field = match problem.field.as_str() {
+        "L" => "--panel".into(),
+        "D" => "--punch".into(),
+        other => other.into(),
+    };
+    problem.to_string()
+}
+
+/// The curves at seven digits, which is far more than is known of them, so that what is printed and
+/// written is what is run.
+fn rounded(wire: &WireData) -> WireData {
+    let seven = |v: f64| format!("{v:.6e}").parse().unwrap_or(v);
+    let curve =
+        |points: &[CurvePoint]| points.iter().map(|p| CurvePoint(seven(p.0), seven(p.1))).collect();
+    WireData {
+        single: curve(&wire.single),
+        double_twist: curve(&wire.double_twist),
+        ..wire.clone()
+    }
+}
+
+/// The command that makes this result.
+fn command(args: &CalibrateArgs) -> String {
+    let mut said = format!(
+        "meshcast calibrate --force {} --deflection {}",
+        shortest(to_kn(args.force)),
+        shortest(args.deflection)
+    );
+    if args.panel != STANDARD_PANEL {
+        let _ = write!(said, " --panel {}", shortest(args.panel));
+    }
+    if args.punch != STANDARD_PUNCH {
+        let _ = write!(said, " --punch {}", shortest(args.punch));
+    }
+    let usual = Options::default();
+    if usize::from(args.runs) != usual.runs {
+        let _ = write!(said, " --runs {}", args.runs);
+    }
+    if args.seed != usual.seed {
+        let _ = write!(said, " --seed {}", args.seed);
+    }
+    if args.fidelity != usual.fidelity {
+        let _ = write!(said, " --fidelity {}", args.fidelity.word());
+    }
+    let _ = write!(said, " --from {}", args.from);
+    said
+}
+
+/// Where the fitted law comes from.
+fn source(args: &CalibrateArgs, fit: &Fit, start: &WireData) -> String {
+    format!(
+        "Made by `{}`: stresses x {:.4}, strains past the first point x {:.4}, fitted to the laboratory force and deflection, nothing else. Started from: {}",
+        command(args),
+        fit.stress,
+        fit.strain,
+        start.source
+    )
+}
+
+fn exists(path: &std::path::Path) -> Fault {
+    Fault::input(format!(
+        "--out: {} exists already and is not overwritten; choose another name",
+        path.display()
+    ))
+}
+
+fn write_wires(path: &std::path::Path, r: &Result) -> std::result::Result<(), Fault> {
+    let comment = format!(
+        "Net and wires of a mesh for the discrete element check: meshcast check --mesh-file THIS\nLengths m, mass kg, curves (strain, stress in MPa). Made by\n  {}\nFitted: laboratory {} kN, {} m. Not fitted: all else.",
+        command(r.args),
+        significant(to_kn(r.fit.laboratory.force.mean), 4),
+        significant(r.fit.laboratory.deflection.mean, 4)
+    );
+    let text = wire_text(&r.fit.wire, &comment)
+        .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
+    project::create(path, &text).map_err(|e| match e {
+        SaveError::Exists(path) => exists(&path),
+        other => Fault::Failure(other.to_string()),
+    })
+}
+
+/// What was not touched.
+fn held(r: &Result) -> Vec<String> {
+    let w = &r.fit.wire;
+    vec![
+        format!("the start: {}", r.args.from),
+        "the net, node mass and radius".into(),
+        "the shape of both curves and the ratio of twist to wire".into(),
+        format!(
+            "slack: lambda_u {}, lambda_F {}",
+            shortest(w.distortion.lambda_u),
+            shortest(w.distortion.lambda_f)
+        ),
+        "the elastic modulus".into(),
+    ]
+}
+
+fn text(r: &Result) -> String {
+    let mut lines = Vec::new();
+    let mut line = |head: &str, text: String| {
+        lines.extend(wrapped(&format!("{head:<14}"), &text, 80));
+    };
+    let a = r.args;
+    line("calibration", format!("[meshcast {VERSION}]"));
+    line(
+        "test",
+        format!(
+            "{} kN at {} m; panel {} m, punch {} m",
+            shortest(to_kn(a.force)),
+            shortest(a.deflection),
+            shortest(a.panel),
+            shortest(a.punch)
+        ),
+    );
+    line("FITTED", format!("stress scale {:.4}, strain scale {:.4}", r.fit.stress, r.fit.strain));
+    line("held fixed", held(r).join("; "));
+    let said = |force: &Spread, deflection: &Spread| {
+        format!(
+            "{} +- {} kN at {:.3} +- {:.3} m",
+            significant(to_kn(force.mean), 3),
+            significant(to_kn(force.deviation), 2),
+            deflection.mean,
+            deflection.deviation
+        )
+    };
+    let lab = &r.fit.laboratory;
+    line(
+        "laboratory",
+        format!(
+            "{} ({} runs, {} trials); residual {:+.2} % on force, {:+.2} % on deflection; standard error {:.2} % and {:.2} %",
+            said(&lab.force, &lab.deflection),
+            lab.runs.len(),
+            r.fit.trials,
+            100.0 * r.fit.residual[0],
+            100.0 * r.fit.residual[1],
+            100.0 * lab.force.error / lab.force.mean,
+            100.0 * lab.deflection.error / lab.deflection.mean,
+        ),
+    );
+    let e = &r.anchored;
+    line(
+        "PREDICTED",
+        format!(
+            "anchored reference (d 0.32, L 3, D 1 m): {} ({} runs); standard error {:.2} %; for the double-twist reference mesh the paper has {} kN at {} m",
+            said(&e.force, &e.deflection),
+            e.runs.len(),
+            100.0 * e.force.error / e.force.mean,
+            to_kn(ANCHORED[0]),
+            ANCHORED[1]
+        ),
+    );
+    let curve = |points: &[CurvePoint]| {
+        let all: Vec<String> =
+            points.iter().map(|p| format!("({}, {})", shortest(p.0), shortest(p.1))).collect();
+        all.join(" ")
+    };
+    line("single wire", curve(&r.fit.wire.single));
+    line("double twist", curve(&r.fit.wire.double_twist));
+    line("source", r.fit.wire.source.clone());
+    if let Some(path) = &a.out {
+        line("written", path.display().to_string());
+    }
+    lines.join("\n") + "\n"
+}
+
+#[derive(Serialize)]
+struct ResultJson<'a> {
+    version: &'static str,
+    command: String,
+    from: &'a str,
+    test: TestJson,
+    fit: FitJson,
+    held_fixed: Vec<String>,
+    laboratory: Pair,
+    laboratory_standard_error: Pair,
+    residual: ResidualJson,
+    anchored_reference: Pair,
+    anchored_reference_standard_error: Pair,
+    anchored_reference_runs: usize,
+    wire: &'a WireData,
+}
+
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct TestJson {
+    #[serde(serialize_with = "number")]
+    F_kN: f64,
+    delta_m: f64,
+    panel_m: f64,
+    punch_m: f64,
+}
+
+#[derive(Serialize)]
+struct FitJson {
+    stress_scale: f64,
+    strain_scale: f64,
+    runs: usize,
+    trials: usize,
+    found: bool,
+}
+
+#[derive(Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct ResidualJson {
+    F_pct: f64,
+    delta_pct: f64,
+}
+
+impl<'a> ResultJson<'a> {
+    fn of(r: &'a Result) -> ResultJson<'a> {
+        let both = |e: &Ensemble, part: fn(&Spread) -> f64| Pair {
+            F_kN: to_kn(part(&e.force)),
+            delta_m: part(&e.deflection),
+        };
+        ResultJson {
+            version: VERSION,
+            command: command(r.args),
+            from: &r.args.from,
+            test: TestJson {
+                F_kN: to_kn(r.args.force),
+                delta_m: r.args.deflection,
+                panel_m: r.args.panel,
+                punch_m: r.args.punch,
+            },
+            fit: FitJson {
+                stress_scale: r.fit.stress,
+                strain_scale: r.fit.strain,
+                runs: r.fit.laboratory.runs.len(),
+                trials: r.fit.trials,
+                found: r.fit.found,
+            },
+            held_fixed: held(r),
+            laboratory: both(&r.fit.laboratory, |s| s.mean),
+            laboratory_standard_error: both(&r.fit.laboratory, |s| s.error),
+            residual: ResidualJson {
+                F_pct: 100.0 * r.fit.residual[0],
+                delta_pct: 100.0 * r.fit.residual[1],
+            },
+            anchored_reference: both(&r.anchored, |s| s.mean),
+            anchored_reference_standard_error: both(&r.anchored, |s| s.error),
+            anchored_reference_runs: r.anchored.runs.len(),
+            wire: &r.fit.wire,
+        }
+    }
+}

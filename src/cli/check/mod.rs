@@ -1,0 +1,197 @@
+//! `meshcast check`: the punch test by discrete elements, beside the forecast, without a screen.
+//!
+//! - [`flags`]: what may be asked on the command line, and at which flag a value is wrong.
+//! - [`remarks`]: what a result has to say about itself.
+//! - [`json`], [`csv`], [`text`] with its [`chart`]: the forms of the result.
+
+mod chart;
+mod csv;
+mod flags;
+mod json;
+mod remarks;
+mod text;
+
+pub use flags::CheckArgs;
+pub(super) use flags::{fidelity, threads};
+
+use super::case::{Case, Inputs};
+use super::output::{Fault, Outcome, Output, say};
+use super::shapes::WarningJson;
+use super::watch::Watch;
+use super::wire::Wires;
+use super::{UiFlags, VERSION};
+use crate::dem::{Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
+use crate::fingerprint::Fingerprint;
+use crate::forecast::{Field, Values, forecast, laboratory};
+use crate::mesh::STANDARD_PUNCH;
+use crate::project;
+use crate::study::ensemble::{self, Ensemble, Plan, Run};
+use crate::study::inputs::of_ensemble;
+use flags::Format;
+
+/// One case with its check.
+#[derive(Debug)]
+struct Checked {
+    case: Case,
+    spec: SceneSpec,
+    fidelity: Fidelity,
+    plan: Plan,
+    ensemble: Ensemble,
+    /// Factors by which the net was stretched in x and y to meet the panel.
+    stretch: [f64; 2],
+    forecast: Forecast,
+    fingerprint: Fingerprint,
+    warnings: Vec<WarningJson>,
+}
+
+impl Checked {
+    /// How many runs are in the mean: those with a first break.
+    fn broken(&self) -> usize {
+        let good = |run: &&Run| run.outcome.stop != Stop::Diverged;
+        self.ensemble.runs.iter().filter(good).filter(|r| r.outcome.first_break.is_some()).count()
+    }
+
+    /// How many runs are in the band and the mean peak: all that came to an end of their own.
+    fn counted(&self) -> usize {
+        let unfinished =
+            |run: &Run| run.outcome.stop == Stop::Cancelled && run.outcome.first_break.is_none();
+        let good = |run: &&Run| run.outcome.stop != Stop::Diverged && !unfinished(run);
+        self.ensemble.runs.iter().filter(good).count()
+    }
+}
+
+/// The forecast that a check is held against.
+#[derive(Debug, Clone, Copy, Default)]
+struct Forecast {
+    /// Force and deflection at failure, where the method has them.
+    values: Option<Values>,
+    /// The whole curve, of the anchored test.
+    field: Option<Field>,
+}
+
+/// A case ready to be run, with what it will be run as.
+struct Ready {
+    case: Case,
+    spec: SceneSpec,
+    controls: Controls,
+    plan: Plan,
+    stretch: [f64; 2],
+    forecast: Forecast,
+}
+
+/// Runs the checks and writes the result in the form asked for.
+pub fn run(args: &CheckArgs, ui: &UiFlags) -> Outcome {
+    let mut unit = ui.units;
+    let inputs = Inputs::from(args.geometry.clone());
+    let cases = match &args.project {
+        None => vec![inputs.alone()?],
+        Some(path) => {
+            let opened = project::load(path)?;
+            unit = unit.or(Some(opened.project.display.length_unit));
+            inputs.of_project(&opened.project, args.layout.as_deref())?
+        }
+    };
+    let several = args.project.is_some() && args.layout.is_none();
+    let wires = Wires::read(args.mesh_file.as_deref(), args.law.as_deref())?;
+    let mut notes = Vec::new();
+    let mut ready = Vec::new();
+    let asked = cases.len();
+    for case in cases {
+        let name = case.name.clone();
+        match (prepare(args, &wires, case), name) {
+            (Ok(one), _) => ready.push(one),
+            // One layout of many that cannot be checked is no reason not to check the others.
+            (Err(Fault::Input(found)), Some(name)) if several && asked > 1 => {
+                notes.extend(found.iter().map(|f| format!("layout {name:?} is left out: {f}")));
+            }
+            (Err(fault), _) => return Err(fault),
+        }
+    }
+    if ready.is_empty() && !notes.is_empty() {
+        return Err(Fault::Input(notes));
+    }
+    notes.iter().for_each(|note| say("note", note));
+    let (checked, interrupted) = check_all(ready)?;
+    let result = match args.format {
+        Format::Text => text::report(&checked, unit.unwrap_or_default()),
+        Format::Json => json::report(&checked, several)?,
+        Format::Csv => csv::report(&checked, several),
+    };
+    Ok(Output { result, interrupted, ..Output::default() })
+}
+
+/// Finds all that can be wrong before anything is run.
+fn prepare(args: &CheckArgs, wires: &Wires, case: Case) -> Result<Ready, Fault> {
+    let plan = args.plan();
+    let spec = SceneSpec {
+        layout: case.entry.layout(),
+        test: args.test,
+        wire: wires.of(&case.mesh)?,
+        phase: plan.phase.unwrap_or(PLAIN_PHASE),
+        seed: plan.seed,
+    };
+    let controls = args.controls()?;
+    let placed = |found| flags::placed(found, case.name.as_deref());
+    let scene = Scene::new(&spec).map_err(placed)?;
+    controls.scheme(&scene).map_err(placed)?;
+    let forecast = forecast_of(&case, args.test)?;
+    let stretch = scene.lattice.stretch;
+    Ok(Ready { case, spec, controls, plan, stretch, forecast })
+}
+
+/// The closed form of the same test: the field values, or Eqs. 1-2 for a panel with the standard
+/// punch at its centre.
+fn forecast_of(case: &Case, test: Test) -> Result<Forecast, Fault> {
+    let layout = case.entry.layout();
+    let f = forecast(&layout, &case.mesh, case.entry.branch)?;
+    Ok(match test {
+        Test::Anchored => Forecast { values: f.field.map(|field| field.values), field: f.field },
+        Test::Laboratory => {
+            let covered = layout.punch == STANDARD_PUNCH && (layout.ex, layout.ey) == (0.0, 0.0);
+            let values = covered.then(|| laboratory::to_panel(f.laboratory, layout.spacing));
+            Forecast { values, field: None }
+        }
+    })
+}
+
+/// Runs them one after the other; tells if the user ended it early. What was not begun by then is
+/// left out.
+fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
+    let watch = Watch::start();
+    let parts = ready.len();
+    let mut checked: Vec<Checked> = Vec::new();
+    for (part, one) in ready.into_iter().enumerate() {
+        if watch.cancelled() && part > 0 {
+            say("note", &format!("{} of {parts} layouts were not begun", parts - part));
+            break;
+        }
+        let Ready { case, spec, controls, plan, stretch, forecast } = one;
+        let label = match &case.name {
+            Some(name) if parts > 1 => format!("layout {name:?} ({} of {parts})", part + 1),
+            _ => "check".to_string(),
+        };
+        // Until the first run has ended, its end is expected where the forecast has it.
+        let guess = forecast.values.map_or(0.2 * spec.layout.spacing, |v| v.deflection);
+        watch.begin(&label, part, parts, guess + controls.after_break);
+        let ensemble = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))
+            .map_err(|found| flags::placed(found, case.name.as_deref()))?;
+        let fingerprint = of_ensemble(&spec, &controls, &plan);
+        let fidelity = controls.fidelity;
+        let mut one = Checked {
+            case,
+            spec,
+            fidelity,
+            plan,
+            ensemble,
+            stretch,
+            forecast,
+            fingerprint,
+            warnings: Vec::new(),
+        };
+        one.warnings = remarks::of(&one);
+        checked.push(one);
+    }
+    let runs: usize = checked.iter().map(|c| c.ensemble.runs.len()).sum();
+    watch.finish(&format!("{runs} {}", if runs == 1 { "run" } else { "runs" }));
+    Ok((checked, watch.cancelled()))
+}

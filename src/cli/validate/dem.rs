@@ -1,0 +1,186 @@
+//! `meshcast validate --dem`: the paper's simulations beside ours.
+
+use crate::cli::output::{Fault, number, wrapped};
+use crate::cli::watch::Watch;
+use crate::cli::wire::Wires;
+use crate::dem::Fidelity;
+use crate::mesh::catalogue;
+use crate::study::paper::{AIM, ERROR_AIM, Options, Quantity, Row, SHAPE_AIM, compare as paper};
+use crate::units::{significant, to_kn};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// The comparison with the wires it was made with.
+pub struct Compared {
+    rows: Vec<Row>,
+    law: String,
+    fidelity: Fidelity,
+}
+
+/// Makes the comparison. Nothing where the user ended it.
+///
+/// # Errors
+/// An unknown law, or wires that cannot be run.
+pub fn compare(law: Option<&str>, options: &Options) -> Result<Option<Compared>, Fault> {
+    let wire = Wires::read(None, law)?.of(&catalogue::reference())?;
+    let watch = Watch::start();
+    let rows = paper(&wire, options, &|words, part, parts, end, now| {
+        watch.part(words, part, parts, end);
+        watch.tell(now)
+    })?;
+    watch.finish("comparison with the paper");
+    Ok(rows.map(|rows| Compared { rows, law: wire.source, fidelity: options.fidelity }))
+}
+
+/// A value in the unit it is printed in.
+fn shown(row: &Row, value: f64) -> f64 {
+    match row.quantity {
+        Quantity::Force | Quantity::Stiffness => to_kn(value),
+        Quantity::Deflection | Quantity::Ratio | Quantity::Shape => value,
+    }
+}
+
+fn unit(row: &Row) -> &'static str {
+    match row.quantity {
+        Quantity::Force => "kN",
+        Quantity::Deflection => "m",
+        Quantity::Stiffness => "kN/m",
+        Quantity::Ratio | Quantity::Shape => "",
+    }
+}
+
+/// What a row says of its aim.
+fn verdict(row: &Row) -> &'static str {
+    match (row.aim.is_some(), row.hit(), row.known()) {
+        (false, ..) => "",
+        (true, false, _) => "MISSED",
+        (true, true, true) => "met",
+        (true, true, false) => "met, uncertain",
+    }
+}
+
+/// The table.
+pub fn text(c: &Compared) -> String {
+    let mut out = format!(
+        "The paper's simulations beside ours (first break; means and 5-95 % bands of\nensembles over alignment and slack, {} fidelity)\n\n",
+        c.fidelity.word()
+    );
+    let head = format!(
+        "{:<33}{:>6} {:>7} {:>15} {:>7} {:>5} {:>4}",
+        "case", "paper", "ours", "band", "diff", "s.e.", "runs"
+    );
+    let _ = writeln!(out, "{head}  law, aim");
+    for row in &c.rows {
+        let digits = |v: f64| significant(shown(row, v), 3);
+        let part = |v: f64| format!("{:+.1}%", 100.0 * v);
+        let (paper, difference, error) = if row.quantity == Quantity::Shape {
+            ("0".to_string(), format!("{:+.3}", row.ours), format!("{:.3}", row.error))
+        } else {
+            (
+                digits(row.paper),
+                part(row.difference()),
+                format!("{:.1}%", 100.0 * row.error / row.ours),
+            )
+        };
+        let line = format!(
+            "{:<33}{:>6} {:>7} {:>15} {:>7} {:>5} {:>4}  {} {}",
+            format!("{} {}", row.case, unit(row)),
+            paper,
+            digits(row.ours),
+            format!("{}-{}", digits(row.band[0]), digits(row.band[1])),
+            difference,
+            error,
+            row.runs,
+            row.standing.word(),
+            verdict(row)
+        );
+        let _ = writeln!(out, "{}", line.trim_end());
+    }
+    let peaks: Vec<String> = c
+        .rows
+        .iter()
+        .filter(|r| r.quantity == Quantity::Force)
+        .filter_map(|r| Some(format!("{}: {}", r.case, significant(to_kn(r.peak?), 3))))
+        .collect();
+    let aimed: Vec<&Row> = c.rows.iter().filter(|r| r.aim.is_some()).collect();
+    let missed: Vec<String> = aimed
+        .iter()
+        .filter(|r| !r.hit())
+        .map(|r| format!("{} {}", r.case, unit(r)).trim().to_string())
+        .collect();
+    let unknown = aimed.iter().filter(|r| !r.known()).count();
+    let summary = format!(
+        "Aims: {:.0} % in force, {:.0} % in deflection, {SHAPE_AIM} in the curve's shape, standard error below {:.0} %. Met: {} of {}. Missed: {}. Standard error above its aim: {unknown}.",
+        100.0 * AIM[0],
+        100.0 * AIM[1],
+        100.0 * ERROR_AIM,
+        aimed.len() - missed.len(),
+        aimed.len(),
+        if missed.is_empty() { "none".to_string() } else { missed.join("; ") }
+    );
+    for paragraph in [
+        summary,
+        format!("Mean peak, kN: {}", peaks.join("; ")),
+        "law: fitted = the law was fitted to it; in view = the start of the fit was chosen by hand with it in view; predicted = not looked at.".to_string(),
+        format!("Wire law: {}", c.law),
+    ] {
+        let _ = write!(out, "\n{}\n", wrapped("", &paragraph, 80).join("\n"));
+    }
+    out
+}
+
+#[derive(Serialize)]
+pub struct DemJson<'a> {
+    fidelity: Fidelity,
+    law: &'a str,
+    rows: Vec<RowJson<'a>>,
+}
+
+#[derive(Serialize)]
+struct RowJson<'a> {
+    case: &'a str,
+    quantity: &'static str,
+    unit: &'static str,
+    #[serde(serialize_with = "number")]
+    paper: f64,
+    #[serde(serialize_with = "number")]
+    ours: f64,
+    band: [f64; 2],
+    #[serde(serialize_with = "number")]
+    difference: f64,
+    #[serde(serialize_with = "number")]
+    standard_error: f64,
+    mean_peak: Option<f64>,
+    law: &'static str,
+    aim: Option<f64>,
+    met: bool,
+    runs: usize,
+}
+
+impl<'a> DemJson<'a> {
+    /// Of a comparison.
+    pub fn of(c: &'a Compared) -> DemJson<'a> {
+        let rows = c.rows.iter().map(|row| RowJson {
+            case: &row.case,
+            quantity: match row.quantity {
+                Quantity::Force => "force",
+                Quantity::Deflection => "deflection",
+                Quantity::Stiffness => "stiffness",
+                Quantity::Ratio => "ratio",
+                Quantity::Shape => "shape",
+            },
+            unit: unit(row),
+            paper: shown(row, row.paper),
+            ours: shown(row, row.ours),
+            band: row.band.map(|v| shown(row, v)),
+            difference: row.difference(),
+            standard_error: shown(row, row.error),
+            mean_peak: row.peak.map(|v| shown(row, v)),
+            law: row.standing.word(),
+            aim: row.aim,
+            met: row.hit(),
+            runs: row.runs,
+        });
+        DemJson { fidelity: c.fidelity, law: &c.law, rows: rows.collect() }
+    }
+}

@@ -1,0 +1,71 @@
+//! The wires of a check: those of its mesh, of a file, or a named law on the mesh's net.
+
+use super::output::Fault;
+use crate::mesh::wire::WireData;
+use crate::mesh::{MeshType, laws};
+use crate::problem::Problem;
+use crate::project::load_wire;
+use std::path::Path;
+
+/// Laws with a name.
+pub const LAWS: &str = "bench, yade or reference";
+
+/// What stands above the mesh's own wires.
+#[derive(Debug, Clone, Default)]
+pub struct Wires {
+    file: Option<WireData>,
+    law: Option<WireData>,
+}
+
+impl Wires {
+    /// Reads what the flags name: a whole mesh file, and a law whose curves and distortion are taken.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a law of no such name.
+    pub fn read(mesh_file: Option<&Path>, law: Option<&str>) -> Result<Wires, Fault> {
+        let file = mesh_file.map(load_wire).transpose()?;
+        let law = law.map(named_or_file).transpose()?;
+        Ok(Wires { file, law })
+    }
+
+    /// The wires of a check of `mesh`.
+    ///
+    /// # Errors
+    /// A mesh without wire data where no file stands in for them.
+    pub fn of(&self, mesh: &MeshType) -> Result<WireData, Fault> {
+        let Some(wire) = self.file.as_ref().or(mesh.wire.as_ref()) else {
+            return Err(Fault::input(without_wire(mesh)));
+        };
+        Ok(match &self.law {
+            None => wire.clone(),
+            Some(law) => WireData { net: wire.net, ..law.clone() },
+        })
+    }
+}
+
+/// What to say of a mesh that has no wire data.
+pub fn without_wire(mesh: &MeshType) -> String {
+    Problem::new("mesh", "nothing is known of its net and wires, so it can be forecast and not checked")
+        .value(format!("{:?}", mesh.id))
+        .advice(
+            "give them with --mesh-file FILE.ron (projects/wire/dt-8x10-2.7.ron shows how), or write wire: (...) into the project's mesh",
+        )
+        .to_string()
+}
+
+/// A law by its name, or from a file.
+///
+/// # Errors
+/// No such name, or a file that cannot be read.
+pub fn named_or_file(law: &str) -> Result<WireData, Fault> {
+    if let Some(found) = laws::find(law) {
+        return Ok(found);
+    }
+    if !law.contains(['.', '/', '\\']) && !Path::new(law).exists() {
+        let problem = Problem::new("--law", "there is no law of this name")
+            .value(format!("{law:?}"))
+            .allowed(format!("{LAWS}, or a file such as FILE.ron"));
+        return Err(Fault::input(problem.to_string()));
+    }
+    Ok(load_wire(Path::new(law))?)
+}

@@ -1,0 +1,97 @@
+//! Which inputs an ensemble was made from.
+
+use super::ensemble::Plan;
+use crate::dem::{Controls, SceneSpec, Test};
+use crate::fingerprint::{Fingerprint, Fingerprinter};
+use crate::mesh::wire::{CurvePoint, Slack};
+
+/// Fingerprint of all that decides an ensemble's numbers: scene, controls and plan. The number of
+/// threads and the instruction set decide nothing; where wires come from does neither.
+pub fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) -> Fingerprint {
+    let (layout, net, d) = (&spec.layout, &spec.wire.net, &spec.wire.distortion);
+    let anchored = spec.test == Test::Anchored;
+    let mut print = Fingerprinter::new("check")
+        .flag(anchored)
+        // There are no plates in the laboratory.
+        .optional(anchored.then_some(layout.plate))
+        .number(layout.spacing)
+        .number(layout.punch)
+        .number(layout.ex)
+        .number(layout.ey)
+        .number(net.opening)
+        .number(net.twist)
+        .number(net.projection)
+        .number(net.diameter)
+        .number(net.node_mass)
+        .number(net.node_radius)
+        .number(d.lambda_u)
+        .number(d.lambda_f)
+        .optional(match d.slack {
+            Slack::Fixed(t) => Some(t),
+            Slack::Triangular => None,
+        });
+    for curve in [&spec.wire.single, &spec.wire.double_twist] {
+        print = print.number(curve.len() as f64);
+        for CurvePoint(strain, stress) in curve {
+            print = print.number(*strain).number(*stress);
+        }
+    }
+    print
+        .text(controls.fidelity.word())
+        .number(controls.step_factor)
+        .optional(controls.speed)
+        .optional(controls.damping)
+        .number(controls.after_break)
+        .optional(controls.limit)
+        .optional(plan.runs.map(|n| n as f64))
+        .text(&plan.seed.to_string())
+        .optional(plan.phase.map(|p| p[0]))
+        .optional(plan.phase.map(|p| p[1]))
+        .finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dem::PLAIN_PHASE;
+    use crate::layout::{Layout, REFERENCE};
+    use crate::mesh::laws;
+
+    #[test]
+    fn every_input_counts_and_threads_do_not() {
+        let spec = SceneSpec {
+            layout: REFERENCE,
+            test: Test::Anchored,
+            wire: laws::bench(),
+            phase: PLAIN_PHASE,
+            seed: 0,
+        };
+        let (controls, plan) = (Controls::default(), Plan::default());
+        let base = of_ensemble(&spec, &controls, &plan);
+        assert_eq!(base, of_ensemble(&spec, &controls, &Plan { threads: 7, ..plan.clone() }));
+        let mut wires = spec.clone();
+        wires.wire.double_twist[3].1 += 1.0;
+        let shallow = SceneSpec {
+            layout: Layout { plate: 0.3, ..REFERENCE },
+            test: Test::Laboratory,
+            ..spec.clone()
+        };
+        let lab = SceneSpec { test: Test::Laboratory, ..spec.clone() };
+        let all = [
+            base,
+            of_ensemble(&wires, &controls, &plan),
+            of_ensemble(&lab, &controls, &plan),
+            of_ensemble(&spec, &Controls { speed: Some(1e-4), ..controls.clone() }, &plan),
+            of_ensemble(&spec, &controls, &Plan { seed: 1, ..plan.clone() }),
+            of_ensemble(&spec, &controls, &Plan { phase: Some([0.0; 2]), ..plan.clone() }),
+            of_ensemble(&spec, &controls, &Plan { runs: Some(8), ..plan.clone() }),
+        ];
+        let different: std::collections::BTreeSet<u64> = all.iter().map(|f| f.0).collect();
+        assert_eq!(different.len(), all.len());
+        assert_eq!(
+            of_ensemble(&lab, &controls, &plan),
+            of_ensemble(&shallow, &controls, &plan),
+            "plates do not count in the laboratory"
+        );
+    }
+}
