@@ -168,10 +168,7 @@ fn the_laboratory_scene_follows_the_published_run() {
 /// there. Rounding of single precision grows from 1e-3 J to 60 J in 2,400 steps; with 1.1 and 0.8, or
 /// 1.15 and 0.7, it does not grow. The faster fidelities come through because they leave the flat state
 /// in fewer steps than that takes.
-///
-/// `cargo test --test physics -- --ignored --nocapture fine_fidelity`
 #[test]
-#[ignore = "fails: the fine fidelity diverges on nets without slack"]
 fn the_fine_fidelity_follows_the_published_runs() {
     for test in [Test::Anchored, Test::Laboratory] {
         let controls =
