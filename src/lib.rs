@@ -9,7 +9,7 @@
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
-//! - [`study`]: many forecasts or checks at once: ensembles, calibration, the paper's rows.
+//! - [`study`]: many forecasts or checks at once: ensembles, calibration, run time against error.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.

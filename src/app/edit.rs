@@ -164,6 +164,7 @@ impl App {
 
     /// Sets the unit of lengths, kept in the project.
     pub(super) fn set_units(&mut self, unit: crate::units::LengthUnit) {
+        self.units = None;
         self.edit("units", |project| project.display.length_unit = unit);
     }
 

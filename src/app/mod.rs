@@ -99,6 +99,8 @@ pub struct App {
     status: Option<Status>,
     results: Vec<Derived>,
     look: Look,
+    /// A unit asked for on the command line: it is not the project's and never saved.
+    units: Option<LengthUnit>,
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
@@ -137,19 +139,11 @@ impl App {
             status: start.note.map(|text| Status { level: Level::Info, text }),
             results: Vec::new(),
             look: start.look,
+            units: start.units,
             size: start.size,
             dirty: true,
             quit_after_save: false,
         };
-        if let Some(unit) = start.units
-            && unit != app.project.display.length_unit
-        {
-            // A flag is not an edit: the project counts as saved with it.
-            let mut project = (*app.project).clone();
-            project.display.length_unit = unit;
-            app.project = Arc::new(project);
-            app.saved = app.project.clone();
-        }
         if let Some(kept) = start.kept {
             app.mode = Mode::ConfirmRecovery { kept };
         }
@@ -214,7 +208,7 @@ impl App {
 
     /// Unit of lengths on the screen.
     pub fn units(&self) -> LengthUnit {
-        self.project.display.length_unit
+        self.units.unwrap_or(self.project.display.length_unit)
     }
 
     /// Columns and rows of the terminal.

@@ -1,8 +1,8 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`check`], [`calibrate`], [`mesh`], [`new`], [`validate`]: the subcommands;
-//!   [`interactive`]: none of them.
+//! - [`forecast`], [`check`], [`calibrate`], [`bench`], [`mesh`], [`new`], [`validate`]: the
+//!   subcommands; [`interactive`]: none of them.
 //! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
 //!   [`wire`]: the wires of a check.
 //! - [`output`]: results to standard output, errors to standard error, exit codes; [`shapes`]:
@@ -10,6 +10,7 @@
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
+pub mod bench;
 pub mod calibrate;
 pub mod case;
 pub mod check;
@@ -71,6 +72,7 @@ enum Command {
     Forecast(Box<forecast::ForecastArgs>),
     Check(Box<check::CheckArgs>),
     Calibrate(calibrate::CalibrateArgs),
+    Bench(bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -104,6 +106,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
         Command::Forecast(args) => forecast::run(&args, ui),
         Command::Check(args) => check::run(&args, ui),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

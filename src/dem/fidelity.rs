@@ -103,6 +103,8 @@ pub struct Scheme {
 /// Largest step factor c of the pair's translation that is run: the element bound is 1, the net's
 /// own limit with the wires' real directions is above 1.2 (see the stability tests).
 pub const LARGEST_STEP: f64 = 1.25;
+/// Step factor of the twist's stretching: it costs next to nothing, so it stays well within its limit.
+const STRETCHING: f64 = 0.65;
 /// Largest step factor of the twist's stretching that is run; its limit is 0.9.
 pub const LARGEST_STRETCHING: f64 = 0.87;
 
@@ -112,20 +114,22 @@ impl Controls {
     /// # Errors
     /// Every control that is outside its range; a step beyond the stability bound.
     pub fn scheme(&self, scene: &Scene) -> Result<Scheme, Vec<Problem>> {
-        let (translation, damping, travel) = match self.fidelity {
-            Fidelity::Quick => (1.15, 0.003, 3.9e-4),
-            Fidelity::Standard => (1.15, 0.002, 2.05e-4),
-            Fidelity::Fine => (1.15, 0.002, 5.5e-5),
+        let (translation, damping, travel): (f64, f64, f64) = match self.fidelity {
+            Fidelity::Quick => (1.1, 0.003, 3.7e-4),
+            Fidelity::Standard => (1.1, 0.002, 1.95e-4),
+            Fidelity::Fine => (1.1, 0.002, 5.5e-5),
             Fidelity::Reference => (1.0, 0.000_6, 5.0e-6),
         };
         let full = self.fidelity == Fidelity::Reference;
+        let wires = Wires::of(scene, full);
+        let translation = if wires.elastic { translation.min(ELASTIC_STEP) } else { translation };
         let scheme = Scheme {
             factors: StepFactors {
                 translation: translation * self.step_factor,
-                stretching: 0.8 * self.step_factor,
+                stretching: STRETCHING * self.step_factor,
             },
             damping: self.damping.unwrap_or(damping),
-            travel: self.speed.unwrap_or(travel * slowness(scene, full)),
+            travel: self.speed.unwrap_or(travel * wires.slowness(full)),
             full,
         };
         let mut problems = Vec::new();
@@ -138,7 +142,7 @@ impl Controls {
                 );
             }
         };
-        let largest = (LARGEST_STEP / translation).min(LARGEST_STRETCHING / 0.8);
+        let largest = (LARGEST_STEP / translation).min(LARGEST_STRETCHING / STRETCHING);
         range(
             "step_factor",
             self.step_factor,
@@ -167,25 +171,49 @@ const BENCH_RATIO: f64 = 2.7;
 /// The same ratio under the true unloading.
 const BENCH_RATIO_FULL: f64 = 34.0;
 
-/// Factor on the punch's speed for laws that need more inertia than the benchmark's: waves are as
-/// slow as the square root of that inertia, and the punch must wait for them.
-fn slowness(scene: &Scene, full: bool) -> f64 {
-    let curve = &scene.law.single;
-    let soft = if full { curve.unloading } else { curve.steepest() };
-    let (mut sum, mut count) = (0.0, 0.0);
-    for number in scene.bond_numbers() {
-        if super::lattice::bond_of(number).1 == Role::Twist {
-            continue;
+/// Largest step factor c for wires that load along their elastic line from the start. Such wires give
+/// back all they took when they go slack and taut again within a few steps, and near the bound of the
+/// step a little more; with a slack's soft ramp they lose some each time.
+const ELASTIC_STEP: f64 = 0.9;
+
+/// What the single wires of a scene ask of the step.
+struct Wires {
+    /// Mean slope that sets the inertia, over the mean slope up to rupture.
+    ratio: f64,
+    /// Whether most of them load along their unloading slope.
+    elastic: bool,
+}
+
+impl Wires {
+    fn of(scene: &Scene, full: bool) -> Wires {
+        let curve = &scene.law.single;
+        let soft = if full { curve.unloading } else { curve.steepest() };
+        let (mut sum, mut elastic, mut count) = (0.0, 0.0, 0.0);
+        for number in scene.bond_numbers() {
+            if super::lattice::bond_of(number).1 == Role::Twist {
+                continue;
+            }
+            let slack = scene.slack(number);
+            let ramp = curve.ramp(-slack / (scene.length(Role::Left) + slack));
+            sum += soft.max(ramp);
+            elastic += if ramp > 0.9 * soft { 1.0 } else { 0.0 };
+            count += 1.0;
+            if scene.uniform() {
+                break;
+            }
         }
-        let slack = scene.slack(number);
-        let start = -slack / (scene.length(Role::Left) + slack);
-        sum += soft.max(curve.ramp(start));
-        count += 1.0;
-        if scene.uniform() {
-            break;
-        }
+        let strength = curve.force[curve.force.len() - 1] / curve.rupture();
+        Wires { ratio: sum / count / strength, elastic: elastic > 0.5 * count && steep(curve) }
     }
-    let strength = curve.force[curve.force.len() - 1] / curve.rupture();
-    let ratio = sum / count / strength;
-    (if full { BENCH_RATIO_FULL } else { BENCH_RATIO } / ratio).sqrt().min(1.0)
+
+    /// Factor on the punch's speed for laws that need more inertia than the benchmark's: waves are as
+    /// slow as the square root of that inertia, and the punch must wait for them.
+    fn slowness(&self, full: bool) -> f64 {
+        (if full { BENCH_RATIO_FULL } else { BENCH_RATIO } / self.ratio).sqrt().min(1.0)
+    }
+}
+
+/// Whether a curve without slack is far steeper at its start than behind it.
+fn steep(curve: &super::law::BondCurve) -> bool {
+    curve.unloading > 2.0 * curve.steepest()
 }

@@ -42,6 +42,12 @@ pub struct Quality {
     pub energy_balance: f64,
     /// Force on the support over force on the punch, means over the last quarter of that way.
     pub support_over_punch: f64,
+    /// Largest utilisation (strain over strain at rupture) at the last look, some 6 mm before the first
+    /// break; see [`super::run`] on silent failures.
+    pub last_utilisation: f64,
+    /// Largest change of a twist's strain in a step over its strain at rupture, times the steps that the
+    /// punch needs for a tenth of its way: above 1 the net shakes; see [`super::run`] on silent failures.
+    pub shaking: f64,
     /// Estimated error of the curve, over its largest force; see [`super::run`].
     pub error_estimate: f64,
 }
@@ -101,6 +107,17 @@ pub struct Outcome {
     pub skipped: Vec<String>,
     /// Stretch of the net in x and y that met the panel's size.
     pub stretch: [f64; 2],
+    /// Whether the run was repeated with a shorter step, because its first break came suddenly.
+    pub repeated: bool,
     /// The deformed net at the first break, where the caller asked for it.
     pub net: Option<Net>,
+}
+
+impl Outcome {
+    /// Whether the first break came out of nowhere, as those of an unstable step do.
+    pub fn sudden(&self) -> bool {
+        let q = &self.quality;
+        self.first_break.is_some()
+            && (q.last_utilisation < super::run::SUDDEN || q.shaking > super::run::SHAKING)
+    }
 }

@@ -80,7 +80,8 @@ pub struct Plain {
     /// Factor on the inertia out of the plane.
     out_of_plane: f64,
     deflection: f64,
-    offset: [f64; 2],
+    /// Places of the nodes from the panel's corner, m, for drawing.
+    corner: Vec<[f64; 2]>,
     contact_energy: f64,
 }
 
@@ -99,7 +100,7 @@ impl Plain {
             damping,
             out_of_plane: 1.0,
             deflection: 0.0,
-            offset: [0.0; 2],
+            corner: net.places.iter().map(|p| [p[0], p[1]]).collect(),
             contact_energy: 0.0,
             net,
         }
@@ -112,6 +113,7 @@ impl Plain {
             curves: vec![scene.law.single.clone(), scene.law.twist.clone()],
             ..PlainNet::default()
         };
+        let mut corner = Vec::new();
         for row in 0..lattice.rows {
             for column in 0..lattice.columns {
                 let pair = row * lattice.columns + column;
@@ -119,6 +121,7 @@ impl Plain {
                     [lattice.bottom(row, column), lattice.top(row, column)].into_iter().enumerate()
                 {
                     let seen = scene.from_axis(place);
+                    corner.push(place);
                     net.places.push([seen[0], seen[1], 0.0]);
                     net.fixed.push(scene.fixed[pair][end]);
                 }
@@ -148,7 +151,7 @@ impl Plain {
         let mut plain = Plain::new(net, damping);
         plain.out_of_plane = if factors.is_some() { inertia::OUT_OF_PLANE } else { 1.0 };
         plain.dome = Some(scene.dome);
-        plain.offset = scene.axis;
+        plain.corner = corner;
         plain
     }
 
@@ -169,9 +172,9 @@ impl Plain {
             let f = curve.force(&bond.ramp, *top, e);
             if f > 0.0 {
                 let pull = f / length;
-                for k in 0..3 {
-                    self.force[bond.a][k] += pull * d[k];
-                    self.force[bond.b][k] -= pull * d[k];
+                for (k, along) in d.iter().enumerate() {
+                    self.force[bond.a][k] += pull * along;
+                    self.force[bond.b][k] -= pull * along;
                 }
             }
         }
@@ -185,8 +188,8 @@ impl Plain {
             }
             let (depth, normal) = dome.depth(p, self.deflection);
             if depth > 0.0 {
-                for k in 0..3 {
-                    self.force[node][k] += dome.stiffness * depth * normal[k];
+                for (force, along) in self.force[node].iter_mut().zip(normal) {
+                    *force += dome.stiffness * depth * along;
                 }
                 punch += dome.stiffness * depth * normal[2];
                 energy += 0.5 * dome.stiffness * depth * depth;
@@ -336,6 +339,19 @@ impl Stepper for Plain {
             .fold(0.0, f64::max)
     }
 
+    fn shaking(&self) -> f64 {
+        let mut most = 0.0_f64;
+        for (bond, top) in self.net.bonds.iter().zip(&self.top).filter(|(bond, _)| bond.curve == 1)
+        {
+            let rupture = self.net.curves[bond.curve].rupture();
+            if *top <= rupture {
+                let rate = (self.velocity[bond.b][1] - self.velocity[bond.a][1]).abs();
+                most = most.max(rate / bond.taut / rupture);
+            }
+        }
+        most
+    }
+
     fn damping_loss(&self) -> Option<f64> {
         match self.damping {
             Damping::Viscous(loss) => Some(1.0 - (1.0 - loss) * (1.0 - loss)),
@@ -344,11 +360,6 @@ impl Stepper for Plain {
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {
-        self.net
-            .places
-            .iter()
-            .zip(&self.moved)
-            .map(|(p, u)| [p[0] + u[0] + self.offset[0], p[1] + u[1] + self.offset[1], u[2]])
-            .collect()
+        self.corner.iter().zip(&self.moved).map(|(p, u)| [p[0] + u[0], p[1] + u[1], u[2]]).collect()
     }
 }

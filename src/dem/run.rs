@@ -4,14 +4,18 @@
 //! a block broken bonds are looked for; after a window the mean forces become a point of the curve,
 //! and every two centimetres the kinetic energy is taken.
 //!
-//! - *Force*: 0.3 of the force on the punch and 0.7 of that on the support. Inertia enters the two
-//!   with opposite signs and nearly cancels; the weight was found on the four bench scenes. The
+//! - *Force*: 0.25 of the force on the punch and 0.75 of that on the support. Inertia enters the two
+//!   with opposite signs and nearly cancels; the weight was found on the four bench scenes (0.3 at first, less with scatter). The
 //!   forces themselves are kept beside it.
 //! - *First break*: the line through the points from 22 to 2 mm before the break, read at the break;
 //!   the last two millimetres are left out because the support already feels the failing bond.
 //! - *Speed*: the punch slows down to 0.4 of its speed as the largest utilisation (strain over strain
 //!   at rupture) goes from 0.5 to 1, where the net is at its slowest and the break is near.
-//! - *Error estimate*: 0.3 of the largest difference of punch and support force before the break over
+//! - *Silent failure*: an unstable step does not blow up, it shakes one bond until that breaks, early
+//!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
+//!   bond is nearly there. Where none was above [`SUDDEN`], or a twist shook by more than [`SHAKING`], the run is repeated with 0.7 of the step;
+//!   if that breaks suddenly too and elsewhere, it counts as diverged. Besides, the energies must balance.
+//! - *Error estimate*: 0.35 of the largest difference of punch and support force before the break over
 //!   the largest force, which is what inertia does and the weighting must cancel, and never less than
 //!   what the shortcuts may change. A test and the convergence tables hold it against true errors.
 
@@ -29,7 +33,7 @@ const BLOCK: usize = 4;
 /// Punch travel of a point of the curve, m.
 const WINDOW: f64 = 0.002;
 /// Part of the force on the punch in the reported force; the rest is the force on the support.
-pub const PUNCH_WEIGHT: f64 = 0.3;
+pub const PUNCH_WEIGHT: f64 = 0.25;
 /// Where the fit of the force at a break begins and ends, m before the break.
 const FIT: (f64, f64) = (0.022, 0.002);
 /// Punch travel without force after which the punch has slipped, m, and what counts as none.
@@ -37,9 +41,14 @@ const SLIP: (f64, f64) = (0.03, 0.2);
 /// Punch travel between two looks at the utilisation, and at the kinetic energy, m.
 const LOOK: f64 = 0.006;
 const ACCOUNT: f64 = 0.02;
-/// Largest error of the curve over the largest difference of the forces on punch and support: 0.07 to
-/// 0.31 in all runs of the benchmark.
-const GAP_TO_ERROR: f64 = 0.3;
+/// Utilisation, at the last look before a first break, below which the break was sudden.
+pub const SUDDEN: f64 = 0.7;
+/// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed: sound runs of
+/// the bench scenes and of ensembles stay below 6, the first failing one had 12.
+pub const SHAKING: f64 = 8.0;
+/// Largest error of the curve over the largest difference of the forces on punch and support: up to
+/// about a third in the runs of the benchmark.
+const GAP_TO_ERROR: f64 = 0.35;
 /// Largest energy out of nowhere before a run counts as diverged, over the work of the punch.
 const IMBALANCE: f64 = 0.05;
 /// Largest punch displacement over the panel's side where the caller says nothing.
@@ -90,13 +99,44 @@ pub fn check(
         true_unloading: scheme.full,
         path: controls.path.unwrap_or_else(Path::best),
     };
-    let mut outcome = if scheme.full {
-        drive(&scene, &mut Fast::<f64>::new(&scene, options), &scheme, controls, progress)
-    } else {
-        drive(&scene, &mut Fast::<f32>::new(&scene, options), &scheme, controls, progress)
-    };
+    let mut outcome = run_scheme(&scene, options, &scheme, controls, progress);
     outcome.skipped = skipped(&scene, &scheme, controls);
+    if outcome.sudden() {
+        let shorter = 0.7;
+        let mut scheme = scheme;
+        scheme.factors.translation *= shorter;
+        scheme.factors.stretching *= shorter;
+        let options = FastOptions { factors: scheme.factors, ..options };
+        let mut again = run_scheme(&scene, options, &scheme, controls, progress);
+        again.cost.steps += outcome.cost.steps;
+        again.cost.steps_to_break += outcome.cost.steps_to_break;
+        again.skipped = outcome.skipped;
+        again.repeated = true;
+        let near = |a: Option<Point>, b: Option<Point>| match (a, b) {
+            (Some(a), Some(b)) => (a.deflection / b.deflection - 1.0).abs() < 0.03,
+            _ => false,
+        };
+        // A sudden break that comes again with a shorter step is the net's own.
+        if again.sudden() && !near(again.first_break, outcome.first_break) {
+            again.stop = Stop::Diverged;
+        }
+        outcome = again;
+    }
     Ok(outcome)
+}
+
+fn run_scheme(
+    scene: &Scene,
+    options: FastOptions,
+    scheme: &Scheme,
+    controls: &Controls,
+    progress: &mut dyn FnMut(Progress) -> Flow,
+) -> Outcome {
+    if scheme.full {
+        drive(scene, &mut Fast::<f64>::new(scene, options), scheme, controls, progress)
+    } else {
+        drive(scene, &mut Fast::<f32>::new(scene, options), scheme, controls, progress)
+    }
 }
 
 /// The same for a solver of the caller's, from wherever it stands.
@@ -173,6 +213,9 @@ impl<'a> Run<'a> {
             let travelled = solver.deflection() - looked;
             if travelled > LOOK {
                 (utilisation, looked) = (solver.utilisation(), solver.deflection());
+                if self.first_break.is_none() {
+                    self.quality.last_utilisation = utilisation;
+                }
             }
             let slow = if self.first_break.is_some() { 1.0 } else { 1.6 - 1.2 * utilisation };
             let travel = self.scheme.travel * slow.clamp(0.4, 1.0);
@@ -259,12 +302,17 @@ impl<'a> Run<'a> {
         }
         self.sample(solver);
         self.energy.travelled = 0.0;
+        // Early on the net is slack and its nodes hop about; nothing is near a break then.
+        if self.quality.last_utilisation > 0.1 {
+            let steps = 0.1 * solver.deflection() / travel;
+            self.quality.shaking = self.quality.shaking.max(solver.shaking() * steps);
+        }
         // Motion cannot hold more than the punch has put in; a tenth of a joule is far below any test.
         if !self.energy.kinetic.is_finite() || self.energy.kinetic > self.energy.work + 0.1 {
             return Some(Stop::Diverged);
         }
         self.energy.accounts += 1;
-        if self.energy.accounts % 5 == 0 {
+        if self.energy.accounts.is_multiple_of(5) {
             let imbalance = self.imbalance(solver);
             if imbalance.abs() * self.energy.work > IMBALANCE * self.energy.work + 1.0 {
                 return Some(Stop::Diverged);
@@ -425,6 +473,7 @@ impl<'a> Run<'a> {
             skipped: Vec::new(),
             stretch: self.scene.lattice.stretch,
             net: self.net,
+            repeated: false,
         }
     }
 }

@@ -37,6 +37,9 @@ pub trait Stepper {
     fn energies(&self) -> Energies;
     /// Largest strain over the strain at rupture among the bonds that hold, 0 to 1.
     fn utilisation(&self) -> f64;
+    /// Largest change of strain in a step among the double twists that hold, over the strain at
+    /// rupture: what an unstable step shows first.
+    fn shaking(&self) -> f64;
     /// Part of its kinetic energy that damping takes in a step, or nothing where damping is not viscous.
     fn damping_loss(&self) -> Option<f64>;
     /// Positions of all nodes, bottom and top of each pair in turn, from the panel's corner, m.

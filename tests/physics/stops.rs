@@ -1,7 +1,7 @@
 //! The ways in which a run ends, and what it tells then.
 
-use crate::{small_spec, spec};
-use meshcast::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, Stop, Test, check};
+use crate::{small, spec};
+use meshcast::dem::{Controls, Fidelity, Flow, Stop, Test, check};
 use meshcast::mesh::laws;
 
 fn quick() -> Controls {
@@ -34,7 +34,7 @@ fn a_run_goes_on_after_the_first_break_as_far_as_it_is_told() {
 #[test]
 fn a_punch_as_small_as_the_opening_slips_through() {
     let mut s = spec(Test::Anchored, 2.0, laws::reference());
-    (s.layout.punch, s.phase) = (0.06, PLAIN_PHASE);
+    (s.layout.punch, s.phase) = (0.04, [0.0, 0.5]);
     let outcome = check(&s, &quick(), &mut |_| Flow::Continue).unwrap();
     assert!(
         outcome.stop == Stop::Slipped || outcome.stop == Stop::DisplacementLimit,
@@ -47,7 +47,7 @@ fn a_punch_as_small_as_the_opening_slips_through() {
 
 #[test]
 fn limit_and_cancelling_end_a_run_with_what_it_has() {
-    let spec = small_spec(Test::Laboratory, laws::reference());
+    let spec = small(Test::Laboratory, laws::reference());
     let controls = Controls { limit: Some(0.1), ..quick() };
     let outcome = check(&spec, &controls, &mut |_| Flow::Continue).unwrap();
     assert_eq!((outcome.stop, outcome.first_break), (Stop::DisplacementLimit, None));
@@ -63,7 +63,7 @@ fn limit_and_cancelling_end_a_run_with_what_it_has() {
 
 #[test]
 fn senseless_controls_are_refused_with_their_field() {
-    let spec = small_spec(Test::Anchored, laws::bench());
+    let spec = small(Test::Anchored, laws::bench());
     for (controls, field) in [
         (Controls { step_factor: 1.5, ..quick() }, "step_factor"),
         (Controls { step_factor: f64::NAN, ..quick() }, "step_factor"),

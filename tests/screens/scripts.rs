@@ -134,6 +134,27 @@ fn the_last_layout_stays() {
 }
 
 #[test]
+fn a_unit_from_the_command_line_is_not_saved() {
+    let mut app = App::new(meshcast::app::Start {
+        project: Arc::new(road_cut()),
+        path: None,
+        note: None,
+        kept: None,
+        look: COLOR,
+        units: Some(LengthUnit::Millimetre),
+        size: (80, 24),
+    });
+    assert!(text(&app).contains("250 mm"));
+    press(&mut app, "260<Enter>");
+    assert_eq!(app.layout().plate, 0.26);
+    assert_eq!(app.project().display.length_unit, LengthUnit::Metre);
+    // The key sets the project's own unit.
+    press(&mut app, "tt");
+    assert!(text(&app).contains("260 mm"));
+    assert_eq!(app.project().display.length_unit, LengthUnit::Millimetre);
+}
+
+#[test]
 fn at_most_four_overlays() {
     let mut app = app();
     press(&mut app, "o<Tab>o<Tab>o<Tab>o<Tab>o");

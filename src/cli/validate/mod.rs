@@ -44,13 +44,8 @@ pub struct ValidateArgs {
 /// Compares and prints the tables.
 pub fn run(args: &ValidateArgs) -> Outcome {
     let validation = validate();
-    let failed = !validation.agrees();
     if !args.dem {
-        let result = match args.format {
-            Format::Text => text(&validation),
-            Format::Json => json(&ValidationJson::of(&validation))? + "\n",
-        };
-        return Ok(Output { result, failed, ..Output::default() });
+        return outcome(&validation, args.format);
     }
     let options =
         Options { fidelity: args.fidelity, seed: args.seed, threads: threads(args.threads) };
@@ -64,7 +59,15 @@ pub fn run(args: &ValidateArgs) -> Outcome {
             json(&WithDem { closed_form: ValidationJson::of(&validation), dem })? + "\n"
         }
     };
-    Ok(Output { result, failed, ..Output::default() })
+    Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
+}
+
+fn outcome(validation: &Validation, format: Format) -> Outcome {
+    let result = match format {
+        Format::Text => text(validation),
+        Format::Json => json(&ValidationJson::of(validation))? + "\n",
+    };
+    Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
 }
 
 /// The closed form's comparison with that of the simulations beside it.
@@ -289,5 +292,29 @@ impl TestJson {
             F_kN: cell(&row.force, t.dem.force.text()),
             delta_m: cell(&row.deflection, t.dem.deflection.text()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_digit_that_differs_is_marked_and_is_a_failure() {
+        let sound = validate();
+        let output = outcome(&sound, Format::Text).unwrap();
+        assert!(!output.failed && !output.result.contains("DIFFER"));
+        let mut wrong = sound;
+        wrong.tests[3].force.ours += 0.1;
+        let output = outcome(&wrong, Format::Text).unwrap();
+        assert!(output.failed, "{}", output.result);
+        assert_eq!(output.result.matches("  DIFFER\n").count(), 1, "{}", output.result);
+        assert!(output.result.contains("A PRINTED DIGIT DIFFERS"), "{}", output.result);
+        assert!(output.result.contains("9 of 10, 6 by the equations and 3"), "{}", output.result);
+        let output = outcome(&wrong, Format::Json).unwrap();
+        assert!(output.failed && output.result.contains("\"agrees\":false"));
+        let mut wrong = validate();
+        wrong.facts[0].1.ours = f64::NAN;
+        assert!(outcome(&wrong, Format::Text).unwrap().failed);
     }
 }

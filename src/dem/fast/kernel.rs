@@ -96,7 +96,7 @@ unsafe fn pulls<L: Lanes>(
         let mut slope = [zero; 3];
         for b in 0..3 {
             let (per_length, ramp, unloading) = match own {
-                None => (kinds[b].per_length, kinds[b].ramp, kinds[b].unloading),
+                None => (kinds[b].per_length, kinds[b].ramp, kinds[b].unloading.max(kinds[b].ramp)),
                 Some(own) => {
                     let ramp = L::load(own[b][1]);
                     (L::load(own[b][0]), ramp, kinds[b].unloading.max(ramp))
@@ -352,7 +352,7 @@ unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
     let here = planes.at(row, column);
     let there = planes.at(row + 1, column);
     // Odd rows stand half an opening to the right (see `lattice`).
-    let ends = if row % 2 == 0 { [there - 1, there] } else { [there, there + 1] };
+    let ends = if row.is_multiple_of(2) { [there - 1, there] } else { [there, there + 1] };
     // SAFETY: `here`, `there` and their neighbours are within the planes, which are padded by more
     // than a vector on both sides; so is `column` in the row buffers.
     unsafe {
@@ -384,8 +384,8 @@ unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
         let most = [a.add(here), b.add(here), c.add(here)];
         let pull = pulls([&twist, &single, &single], d, most, values);
         for bond in 0..3 {
-            for k in 0..3 {
-                pull[bond].mul(d[bond][k]).store(planes.forces[own][bond][k].add(PAD + column));
+            for (along, plane) in d[bond].iter().zip(planes.forces[own][bond]) {
+                pull[bond].mul(*along).store(plane.add(PAD + column));
             }
         }
     }

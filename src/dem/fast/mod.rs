@@ -309,6 +309,20 @@ impl<R: Kernel> Stepper for Fast<R> {
         most
     }
 
+    fn shaking(&self) -> f64 {
+        let state = &self.state;
+        let (mut most, rupture) = (R::default(), state.kinds[0].rupture);
+        let (bottom, top) = (&state.velocity[0][1], &state.velocity[1][1]);
+        for ((b, t), reached) in bottom.iter().zip(top.iter()).zip(state.top[0].iter()) {
+            let (up, down) = if *t > *b { (*t, *b) } else { (*b, *t) };
+            let rate = R::new(up.wide() - down.wide());
+            if rate > most && *reached <= rupture {
+                most = rate;
+            }
+        }
+        most.wide() / self.scene.lattice.twist_length() / rupture.wide()
+    }
+
     fn damping_loss(&self) -> Option<f64> {
         let keep = self.state.keep.wide();
         Some(1.0 - keep * keep)

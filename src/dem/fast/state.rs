@@ -188,11 +188,13 @@ impl<R: Real> State<R> {
         let samples = [Role::Twist, Role::Left].map(|role| {
             bond_values(scene, super::super::lattice::bond_number(0, role), role, unloading)
         });
-        let kinds = [
-            Kind::new(&scene.law.twist, unloading[1], &samples[0]),
-            Kind::new(&scene.law.single, unloading[0], &samples[1]),
-        ];
         let uniform = scene.uniform();
+        // Where bonds differ, the kernel takes the larger of this and each bond's own ramp.
+        let slope = |k: usize| if uniform { samples[k].ramp.unloading } else { unloading[1 - k] };
+        let kinds = [
+            Kind::new(&scene.law.twist, slope(0), &samples[0]),
+            Kind::new(&scene.law.single, slope(1), &samples[1]),
+        ];
         let plane_of_own = || Plane::new(R::new(1.0), if uniform { 0 } else { size });
         let dome = &scene.dome;
         let mut state = State {

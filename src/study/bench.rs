@@ -1,0 +1,226 @@
+//! Run time against error, measured now: the bench scenes at every fidelity against the reference
+//! fidelity, and beside each time the one of a plain double-precision explicit run.
+
+use super::clock::thread_seconds;
+use crate::dem::inertia::StepFactors;
+use crate::dem::plain::{Damping, Inertia, Plain};
+use crate::dem::run::drive;
+use crate::dem::{Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, Scene, SceneSpec, Test, check};
+use crate::layout::{Layout, REFERENCE};
+use crate::mesh::laws;
+use crate::problem::Problem;
+use serde::Serialize;
+
+/// The bench scenes by name.
+pub const SCENES: [&str; 4] = ["A", "B", "C", "A'"];
+
+/// A bench scene: A anchored L = 3 m, B laboratory L = 3 m, C anchored and eccentric L = 4 m, all with
+/// the bench law; A' is A with the reference law and one seed.
+pub fn scene(name: &str) -> Option<SceneSpec> {
+    let c = Layout { plate: 0.40, spacing: 4.0, punch: 1.2, ex: 2.0, ey: 0.2 };
+    let (layout, test, wire) = match name {
+        "A" => (REFERENCE, Test::Anchored, laws::bench()),
+        "B" => (REFERENCE, Test::Laboratory, laws::bench()),
+        "C" => (c, Test::Anchored, laws::bench()),
+        "A'" | "A2" => (REFERENCE, Test::Anchored, laws::reference()),
+        _ => return None,
+    };
+    Some(SceneSpec { layout, test, wire, phase: PLAIN_PHASE, seed: 1 })
+}
+
+/// Errors of a run against a reference, as parts of 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Errors {
+    /// Force at the first break.
+    pub force: f64,
+    /// Deflection at the first break.
+    pub deflection: f64,
+    /// Largest difference of the curves up to the first break, over the reference's force there.
+    pub curve: f64,
+}
+
+/// Errors of `outcome` against `reference`; nothing if one of them has no first break.
+pub fn errors(outcome: &Outcome, reference: &Outcome) -> Option<Errors> {
+    let (a, b) = (outcome.first_break?, reference.first_break?);
+    // Two millimetres off both ends: the last points are means over a part of the break.
+    let end = a.deflection.min(b.deflection) - 0.002;
+    let curve = outcome
+        .curve
+        .points()
+        .filter(|p| p.deflection < end)
+        .map(|p| (p.force - force_at(reference, p.deflection)).abs())
+        .fold(0.0, f64::max);
+    Some(Errors {
+        force: a.force / b.force - 1.0,
+        deflection: a.deflection / b.deflection - 1.0,
+        curve: curve / b.force,
+    })
+}
+
+/// Force of a curve between its points, N.
+pub fn force_at(outcome: &Outcome, x: f64) -> f64 {
+    let (xs, ys) = (&outcome.curve.deflection, &outcome.curve.force);
+    if xs.len() < 2 {
+        return ys.first().copied().unwrap_or(0.0);
+    }
+    let k = xs.partition_point(|&d| d < x).clamp(1, xs.len() - 1);
+    ys[k - 1] + (ys[k] - ys[k - 1]) * (x - xs[k - 1]) / (xs[k] - xs[k - 1])
+}
+
+/// One row of the table.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// Scene.
+    pub scene: String,
+    /// Fidelity, or `plain`.
+    pub fidelity: String,
+    /// Processor time to the first break, set-up included, best of several, ms.
+    pub wall_ms: f64,
+    /// Steps.
+    pub steps: usize,
+    /// Error of the force at the first break, %.
+    #[serde(rename = "F_error_pct")]
+    pub force_error: f64,
+    /// Error of the deflection at the first break, %.
+    #[serde(rename = "delta_error_pct")]
+    pub deflection_error: f64,
+    /// Error of the curve, %.
+    #[serde(rename = "curve_error_pct")]
+    pub curve_error: f64,
+    /// Error estimate that the run itself gives, %.
+    #[serde(rename = "error_estimate_pct")]
+    pub estimate: f64,
+    /// Time of the plain double-precision run over this one.
+    #[serde(rename = "times_faster_than_plain")]
+    pub faster: f64,
+    /// Force and deflection at the first break.
+    #[serde(rename = "F_kN")]
+    pub force: f64,
+    /// Deflection at the first break, m.
+    #[serde(rename = "delta_m")]
+    pub deflection: f64,
+}
+
+/// How well the reference itself is known: the change of its three figures when its speed is halved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Known {
+    /// Scene.
+    pub scene: String,
+    /// Changes, %.
+    #[serde(rename = "F_pct")]
+    pub force: f64,
+    /// Changes, %.
+    #[serde(rename = "delta_pct")]
+    pub deflection: f64,
+    /// Changes, %.
+    #[serde(rename = "curve_pct")]
+    pub curve: f64,
+}
+
+fn controls(fidelity: Fidelity) -> Controls {
+    Controls { fidelity, after_break: 0.0, ..Controls::default() }
+}
+
+/// Runs and times one check; the best of `times`.
+pub fn timed(
+    spec: &SceneSpec,
+    controls: &Controls,
+    times: usize,
+) -> Result<(Outcome, f64), Vec<Problem>> {
+    let mut best: Option<(Outcome, f64)> = None;
+    for _ in 0..times.max(1) {
+        let start = thread_seconds();
+        let outcome = check(spec, controls, &mut |_| Flow::Continue)?;
+        let time = thread_seconds() - start;
+        if best.as_ref().is_none_or(|b| time < b.1) {
+            best = Some((outcome, time));
+        }
+    }
+    // The loop runs at least once.
+    best.ok_or_else(Vec::new)
+}
+
+/// Travel per step of the plain run, m: 1 m/s at 0.95 of the critical step of 3.9 g nodes.
+const PLAIN_TRAVEL: f64 = 8.8e-6;
+/// Step factor of the plain run over the bound of Gershgorin.
+const PLAIN_STEP: f64 = 0.8;
+
+/// The plain run: double precision, one loop over bonds and one over nodes, the same mass for all
+/// nodes, local damping 0.5, force taken at the punch, 1 m/s; timed.
+pub fn plain(spec: &SceneSpec) -> Result<(Outcome, f64), Vec<Problem>> {
+    let start = thread_seconds();
+    let scene = Scene::new(spec)?;
+    // Gershgorin: the sum over a node's bonds (two wires and a twist) of 2 k is at most 4 m.
+    let wire = scene.law.single.unloading / scene.lattice.wire_length();
+    let twist = scene.law.twist.unloading / scene.lattice.twist_length();
+    let mass = (2.0 * wire + twist) / 2.0 / (PLAIN_STEP * PLAIN_STEP);
+    let mut solver = Plain::of_scene(&scene, Inertia::Uniform(mass), Damping::Local(0.5));
+    let controls = controls(Fidelity::Standard);
+    let mut scheme = controls.scheme(&scene)?;
+    scheme.travel = PLAIN_TRAVEL;
+    scheme.factors = StepFactors { translation: PLAIN_STEP, stretching: PLAIN_STEP };
+    let mut outcome = drive(&scene, &mut solver, &scheme, &controls, &mut |_| Flow::Continue);
+    let time = thread_seconds() - start;
+    outcome.curve.force = outcome.punch.clone();
+    Ok((outcome, time))
+}
+
+/// The table of the scenes named, and how well each reference is known. `tell` is told what is being run.
+///
+/// # Errors
+/// A scene that is not known.
+pub fn table(
+    names: &[&str],
+    tell: &mut dyn FnMut(&str),
+) -> Result<(Vec<Row>, Vec<Known>), Vec<Problem>> {
+    let (mut rows, mut known) = (Vec::new(), Vec::new());
+    for name in names {
+        let Some(spec) = scene(name) else {
+            return Err(vec![
+                Problem::new("scene", "there is no such bench scene")
+                    .value(*name)
+                    .allowed(SCENES.join(", ")),
+            ]);
+        };
+        tell(&format!("scene {name}: reference"));
+        let (reference, reference_time) = timed(&spec, &controls(Fidelity::Reference), 1)?;
+        tell(&format!("scene {name}: reference at half the speed"));
+        let travel = controls(Fidelity::Reference).scheme(&Scene::new(&spec)?)?.travel;
+        let half = Controls { speed: Some(travel / 2.0), ..controls(Fidelity::Reference) };
+        let (better, _) = timed(&spec, &half, 1)?;
+        let gap = errors(&reference, &better).unwrap_or_default();
+        known.push(Known {
+            scene: name.to_string(),
+            force: 100.0 * gap.force,
+            deflection: 100.0 * gap.deflection,
+            curve: 100.0 * gap.curve,
+        });
+        tell(&format!("scene {name}: plain double precision"));
+        let (slow, slow_time) = plain(&spec)?;
+        let mut push = |fidelity: &str, outcome: &Outcome, time: f64| {
+            let e = errors(outcome, &better).unwrap_or_default();
+            let p = outcome.first_break.unwrap_or_default();
+            rows.push(Row {
+                scene: name.to_string(),
+                fidelity: fidelity.to_string(),
+                wall_ms: 1.0e3 * time,
+                steps: outcome.cost.steps_to_break,
+                force_error: 100.0 * e.force,
+                deflection_error: 100.0 * e.deflection,
+                curve_error: 100.0 * e.curve,
+                estimate: 100.0 * outcome.quality.error_estimate,
+                faster: slow_time / time,
+                force: p.force / 1.0e3,
+                deflection: p.deflection,
+            });
+        };
+        for fidelity in [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine] {
+            tell(&format!("scene {name}: {}", fidelity.word()));
+            let (outcome, time) = timed(&spec, &controls(fidelity), 7)?;
+            push(fidelity.word(), &outcome, time);
+        }
+        push("reference", &reference, reference_time);
+        push("plain", &slow, slow_time);
+    }
+    Ok((rows, known))
+}
