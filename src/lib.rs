@@ -12,7 +12,6 @@
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
 //! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles,
 //!   calibration, run time against error.
-//! - [`study`]: many forecasts or checks at once: ensembles, calibration, the paper's rows.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
 //! - [`app`]: the state of the interactive program; no input or output.

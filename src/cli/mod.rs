@@ -1,13 +1,10 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
+//! - [`forecast`], [`check`], [`calibrate`], [`bench`], [`mesh`], [`new`], [`validate`], [`export`],
+//!   [`report`]: the subcommands; [`interactive`]: none of them.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies.
-//! - [`export`], [`forecast`], [`mesh`], [`new`], [`report`], [`validate`]: the subcommands;
-//!   [`interactive`]: none of them.
-//! - [`case`]: one layout to forecast, from a project file, flags and defaults.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
-//! - [`output`]: results to standard output, errors to standard error, exit codes.
-//! - [`forecast`], [`check`], [`calibrate`], [`mesh`], [`new`], [`validate`]: the subcommands;
 //! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
 //!   [`wire`]: the wires of a check.
 //! - [`output`]: results to standard output, errors to standard error, exit codes; [`shapes`]:
@@ -15,6 +12,7 @@
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
+pub mod bench;
 pub mod calibrate;
 pub mod case;
 pub mod check;
@@ -96,6 +94,7 @@ enum Command {
     Report(report::ReportArgs),
     Check(Box<check::CheckArgs>),
     Calibrate(calibrate::CalibrateArgs),
+    Bench(bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(validate::ValidateArgs),
 }
@@ -135,6 +134,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
         Command::Report(args) => report::run(&args, ui),
         Command::Check(args) => check::run(&args, ui),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => validate::run(&args),
     }

@@ -47,7 +47,6 @@ pub fn run(args: &ValidateArgs) -> Outcome {
     if !args.dem {
         return outcome(&validation, args.format);
     }
-    let failed = !validation.agrees();
     let options =
         Options { fidelity: args.fidelity, seed: args.seed, threads: threads(args.threads) };
     let Some(compared) = dem::compare(args.law.as_deref(), &options)? else {
@@ -60,10 +59,9 @@ pub fn run(args: &ValidateArgs) -> Outcome {
             json(&WithDem { closed_form: ValidationJson::of(&validation), dem })? + "\n"
         }
     };
-    Ok(Output { result, failed, ..Output::default() })
+    Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
 }
 
-/// The comparison of the closed form alone.
 fn outcome(validation: &Validation, format: Format) -> Outcome {
     let result = match format {
         Format::Text => text(validation),

@@ -1,0 +1,309 @@
+//! `meshcast bench`: run time against error of the check, measured now, as a table and a plot.
+
+use super::VERSION;
+use super::output::{Fault, Format, Outcome, Output, json, say, wrapped};
+use crate::fingerprint::Fingerprinter;
+use crate::project::{SaveError, create};
+use crate::study::bench::{Known, Row, SCENES, table};
+use crate::study::convergence;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+const AFTER_HELP: &str = "\
+Scenes: A anchored L = 3, D = 1, d = 0.32 m; B laboratory L = 3, D = 1 m; C anchored L = 4, D = 1.2,
+d = 0.40, ex = 2.0, ey = 0.2 m; all with the bench law; A' is A with the reference law and its scatter.
+Errors are against a reference run of the same scene, of force and deflection at the first break and
+of the whole curve; times are of one core to the first break, set-up included.";
+
+/// Measure run time against error of the check.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct BenchArgs {
+    /// Only this scene; may be given several times.
+    #[arg(long, value_name = "SCENE", value_parser = PossibleValuesParser::new(SCENES))]
+    scene: Vec<String>,
+    /// Error against step, speed, damping and precision instead, with the observed orders.
+    #[arg(long, conflicts_with = "svg")]
+    convergence: bool,
+    /// Draws the plot to a new file.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Measures and prints.
+pub fn run(args: &BenchArgs) -> Outcome {
+    if let Some(path) = args.svg.as_ref().filter(|path| path.exists()) {
+        return Err(exists(path));
+    }
+    let names: Vec<&str> = if args.scene.is_empty() {
+        SCENES.to_vec()
+    } else {
+        args.scene.iter().map(String::as_str).collect()
+    };
+    let mut tell = |what: &str| say("progress", what);
+    if args.convergence {
+        let rows = convergence::tables(&names, &mut tell)?;
+        let result = match args.format {
+            Format::Text => orders(&rows),
+            Format::Json => json(&rows)? + "\n",
+        };
+        return Ok(Output { result, ..Output::default() });
+    }
+    let (rows, known) = table(&names, &mut tell)?;
+    if let Some(path) = &args.svg {
+        create(path, &svg(&rows)).map_err(|e| match e {
+            SaveError::Exists(path) => exists(&path),
+            other => Fault::Failure(other.to_string()),
+        })?;
+    }
+    let result = match args.format {
+        Format::Text => text(&rows, &known),
+        Format::Json => {
+            json(&rows.iter().zip(std::iter::repeat(&known)).map(Made::of).collect::<Vec<_>>())?
+                + "\n"
+        }
+    };
+    Ok(Output { result, ..Output::default() })
+}
+
+fn exists(path: &Path) -> Fault {
+    Fault::input(format!(
+        "--svg: {} exists already and is not overwritten; choose another name",
+        path.display()
+    ))
+}
+
+/// A row with what made it, and how well its scene's reference is known.
+#[derive(Serialize)]
+struct Made<'a> {
+    version: &'static str,
+    fingerprint: String,
+    #[serde(flatten)]
+    row: &'a Row,
+    reference_known_to: Option<&'a Known>,
+}
+
+impl<'a> Made<'a> {
+    fn of((row, known): (&'a Row, &'a Vec<Known>)) -> Made<'a> {
+        let print = Fingerprinter::new("bench").text(&row.scene).text(&row.fidelity).finish();
+        Made {
+            version: VERSION,
+            fingerprint: print.to_string(),
+            row,
+            reference_known_to: known.iter().find(|k| k.scene == row.scene),
+        }
+    }
+}
+
+/// The worst of the three errors of a row, %.
+fn worst(row: &Row) -> f64 {
+    row.force_error.abs().max(row.deflection_error.abs()).max(row.curve_error.abs())
+}
+
+fn text(rows: &[Row], known: &[Known]) -> String {
+    let mut out = String::from(
+        "scene fidelity    time, ms    steps   F err %  delta err %  curve err %  x plain\n",
+    );
+    for r in rows {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            out,
+            "{:<5} {:<10} {:>9.1} {:>8} {:>9.3} {:>12.3} {:>12.3} {:>8.1}",
+            r.scene,
+            r.fidelity,
+            r.wall_ms,
+            r.steps,
+            r.force_error,
+            r.deflection_error,
+            r.curve_error,
+            r.faster
+        );
+    }
+    for k in known {
+        let line = format!(
+            "The reference of {} is known to {:.3} % in force, {:.3} % in deflection, {:.3} % in the curve (its change at half the speed).",
+            k.scene, k.force, k.deflection, k.curve
+        );
+        let _ = write!(out, "\n{}", wrapped("", &line, 80).join("\n"));
+    }
+    let _ = write!(out, "\n\n{}", plot(rows));
+    out
+}
+
+/// Columns and rows of the plot in characters.
+const COLUMNS: usize = 60;
+const ROWS: usize = 16;
+
+/// Ranges of the plot as logarithms of ten: time in ms, worst error in %.
+fn ranges(rows: &[Row]) -> ([f64; 2], [f64; 2]) {
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values
+            .filter(|v| *v > 0.0 && v.is_finite())
+            .map(f64::log10)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        if low <= high { [low.floor(), high.ceil().max(low.floor() + 1.0)] } else { [0.0, 1.0] }
+    };
+    (range(&mut rows.iter().map(|r| r.wall_ms)), range(&mut rows.iter().map(worst)))
+}
+
+/// Where a row stands in the plot, each from 0 to 1; nothing for an error of 0.
+fn place(row: &Row, times: [f64; 2], errors: [f64; 2]) -> Option<(f64, f64)> {
+    let part = |v: f64, [low, high]: [f64; 2]| (v.log10() - low) / (high - low);
+    let (x, y) = (part(row.wall_ms, times), part(worst(row), errors));
+    (x.is_finite() && y.is_finite()).then_some((x.clamp(0.0, 1.0), y.clamp(0.0, 1.0)))
+}
+
+/// The sign of a row: its scene's letter, small for the plain run.
+fn sign(row: &Row) -> char {
+    let letter = if row.scene == "A'" { '\'' } else { row.scene.chars().next().unwrap_or('?') };
+    if row.fidelity == "plain" { letter.to_ascii_lowercase() } else { letter }
+}
+
+fn plot(rows: &[Row]) -> String {
+    let (times, errors) = ranges(rows);
+    let mut grid = vec![[' '; COLUMNS]; ROWS];
+    for row in rows {
+        if let Some((x, y)) = place(row, times, errors) {
+            let column = (x * (COLUMNS - 1) as f64).round() as usize;
+            let line = ROWS - 1 - (y * (ROWS - 1) as f64).round() as usize;
+            grid[line][column] = sign(row);
+        }
+    }
+    let mut out = String::from("worst error, % (logarithmic)\n");
+    for (k, line) in grid.iter().enumerate() {
+        let label = match k {
+            0 => format!("{}", 10.0_f64.powf(errors[1])),
+            _ if k == ROWS - 1 => format!("{}", 10.0_f64.powf(errors[0])),
+            _ => String::new(),
+        };
+        let signs: String = line.iter().collect();
+        let _ = writeln!(out, "{label:>8} |{}", signs.trim_end());
+    }
+    let (low, high) = (10.0_f64.powf(times[0]), 10.0_f64.powf(times[1]));
+    let _ = writeln!(out, "{:>8} +{}", "", "-".repeat(COLUMNS));
+    let _ = writeln!(out, "{:>9} {low}{high:>width$} ms", "", width = COLUMNS - 4);
+    out.push_str("          letters: scenes (' is A'); small letters: the plain run\n");
+    out
+}
+
+/// The plot as SVG, with a line through the fidelities of each scene.
+fn svg(rows: &[Row]) -> String {
+    const SIZE: (f64, f64) = (640.0, 420.0);
+    const MARGIN: f64 = 60.0;
+    let (times, errors) = ranges(rows);
+    let at = |x: f64, y: f64| {
+        (MARGIN + x * (SIZE.0 - 2.0 * MARGIN), SIZE.1 - MARGIN - y * (SIZE.1 - 2.0 * MARGIN))
+    };
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+        SIZE.0, SIZE.1
+    );
+    for (range, across) in [(times, true), (errors, false)] {
+        let mut power = range[0];
+        while power <= range[1] + 1.0e-9 {
+            let part = (power - range[0]) / (range[1] - range[0]);
+            let ((x0, y0), (x1, y1)) = if across {
+                (at(part, 0.0), at(part, 1.0))
+            } else {
+                (at(0.0, part), at(1.0, part))
+            };
+            let (tx, ty, anchor) =
+                if across { (x0, y0 + 16.0, "middle") } else { (x0 - 6.0, y0 + 4.0, "end") };
+            let _ = write!(
+                out,
+                "<path d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\" stroke=\"#ccc\"/>\n<text x=\"{tx:.1}\" y=\"{ty:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
+                10.0_f64.powf(power)
+            );
+            power += 1.0;
+        }
+    }
+    const COLOURS: [&str; 4] = ["#1b6ca8", "#c0392b", "#27864a", "#7d3c98"];
+    for (k, name) in SCENES.iter().enumerate() {
+        let colour = COLOURS[k % COLOURS.len()];
+        let mut path = String::new();
+        for row in rows.iter().filter(|r| r.scene == *name) {
+            let Some((px, py)) = place(row, times, errors) else { continue };
+            let (x, y) = at(px, py);
+            let plain = row.fidelity == "plain";
+            let fill = if plain { "white" } else { colour };
+            let _ = write!(
+                out,
+                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{fill}\" stroke=\"{colour}\"/>\n<text x=\"{:.1}\" y=\"{:.1}\" fill=\"{colour}\">{name} {}</text>\n",
+                x + 6.0,
+                y - 6.0,
+                row.fidelity
+            );
+            if !plain {
+                let _ = write!(path, "{}{x:.1} {y:.1}", if path.is_empty() { 'M' } else { 'L' });
+            }
+        }
+        let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\"/>");
+    }
+    let _ = write!(
+        out,
+        "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">processor time to the first break, ms</text>\n<text x=\"16\" y=\"{2}\" transform=\"rotate(-90 16 {2})\" text-anchor=\"middle\">worst error, %</text>\n</svg>\n",
+        SIZE.0 / 2.0,
+        SIZE.1 - 16.0,
+        SIZE.1 / 2.0
+    );
+    out
+}
+
+/// The convergence tables as a text.
+fn orders(rows: &[convergence::Row]) -> String {
+    let mut out = String::from(
+        "scene knob            value   F err %  delta err %  curve err %  order  estimate %\n",
+    );
+    for r in rows {
+        let order = r.order.map_or_else(|| "-".to_string(), |o| format!("{o:.2}"));
+        let _ = writeln!(
+            out,
+            "{:<5} {:<10} {:>10.3e} {:>9.3} {:>12.3} {:>12.3} {:>6} {:>11.3}",
+            r.scene, r.knob, r.value, r.force, r.deflection, r.curve, order, r.estimate
+        );
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(scene: &str, fidelity: &str, wall_ms: f64, error: f64) -> Row {
+        Row {
+            scene: scene.into(),
+            fidelity: fidelity.into(),
+            wall_ms,
+            steps: 1,
+            force_error: error,
+            deflection_error: -error / 2.0,
+            curve_error: 0.0,
+            estimate: 0.0,
+            faster: 1.0,
+            force: 0.0,
+            deflection: 0.0,
+        }
+    }
+
+    #[test]
+    fn the_plots_hold_every_point_and_stand_a_point_without_error() {
+        let rows = [
+            row("A", "quick", 10.0, 1.0),
+            row("A", "plain", 1000.0, 10.0),
+            row("A", "reference", 100.0, 0.0),
+        ];
+        let plotted = plot(&rows);
+        assert!(plotted.contains('a') && plotted.lines().all(|l| l.len() <= 80), "{plotted}");
+        // Worked by hand: 10 ms of 10 to 1000 and 1 % of 1 to 10 is the lower left corner.
+        assert!(plotted.contains("       1 |A"), "{plotted}");
+        let drawn = svg(&rows);
+        assert_eq!(drawn.matches("<circle").count(), 2);
+        assert!(drawn.ends_with("</svg>\n"));
+    }
+}
