@@ -276,7 +276,7 @@ mod tests {
         refused(&|s| (s.layout.ex, s.layout.ey) = (1.5, 1.5), "D");
         refused(&|s| s.layout.spacing = 50.0, "L");
         refused(&|s| s.phase[1] = 1.0, "phase.y");
-        refused(&|s| s.wire.single[0].0 = f64::NAN, "wire.single.[0]");
+        refused(&|s| s.wire.single[0].0 = f64::NAN, "wire.single[0]");
         refused(&|s| (s.layout.spacing, s.layout.punch, s.layout.plate) = (0.2, 0.05, 0.1), "L");
     }
 
