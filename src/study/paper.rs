@@ -378,6 +378,7 @@ mod tests {
                 cost: Cost::default(),
                 skipped: Vec::new(),
                 stretch: [1.0; 2],
+                repeated: false,
                 net: None,
             },
             wall: 0.0,
