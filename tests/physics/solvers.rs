@@ -45,14 +45,13 @@ fn in_double_precision_with_the_full_law_the_fast_solver_is_the_plain_one() {
             assert!(plain.deflection() > 0.199 && plain.energies().bonds > 10.0);
             // A millimetre's thousandth part: slack nodes swing freely and spread rounding errors.
             let gap = largest_gap(&plain, &fast);
-            println!("{test:?} {} {gap:e}", scene.spec.wire.source);
             assert!(gap < 1.0e-6);
             let (p, f) = (plain.energies(), fast.energies());
-            assert!(
-                (p.bonds / f.bonds - 1.0).abs() < 1.0e-9
-                    && (p.kinetic / f.kinetic - 1.0).abs() < 1e-6
-            );
-            assert!((plain.utilisation() - fast.utilisation()).abs() < 1.0e-9);
+            // A micrometre of a slack node's place is 1e-5 of a bond's length: of its strain as much,
+            // of the net's motion, which is a thousandth of its energy, a thousandth.
+            assert!((p.bonds / f.bonds - 1.0).abs() < 1.0e-6, "{p:?} {f:?}");
+            assert!((p.kinetic / f.kinetic - 1.0).abs() < 1.0e-3, "{p:?} {f:?}");
+            assert!((plain.utilisation() - fast.utilisation()).abs() < 1.0e-5);
         }
     }
 }

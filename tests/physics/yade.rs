@@ -163,15 +163,9 @@ fn the_laboratory_scene_follows_the_published_run() {
     }
 }
 
-/// Fails today, by a step that is too long, not by the law: on a flat net without slack all bonds have
-/// the elastic stiffness that sets the inertia, and the step factors 1.15 and 0.8 together are unstable
-/// there. Rounding of single precision grows from 1e-3 J to 60 J in 2,400 steps; with 1.1 and 0.8, or
-/// 1.15 and 0.7, it does not grow. The faster fidelities come through because they leave the flat state
-/// in fewer steps than that takes.
-///
-/// `cargo test --test physics -- --ignored --nocapture fine_fidelity`
+/// A flat net without slack asks most of the step: all bonds have the elastic stiffness that sets the
+/// inertia. With step factors of 1.15 and 0.8 together this diverged.
 #[test]
-#[ignore = "fails: the fine fidelity diverges on nets without slack"]
 fn the_fine_fidelity_follows_the_published_runs() {
     for test in [Test::Anchored, Test::Laboratory] {
         let controls =
