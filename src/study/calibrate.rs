@@ -184,8 +184,8 @@ impl Newton {
             for row in 0..2 {
                 let expected = self.jacobian[row][0] * step[0] + self.jacobian[row][1] * step[1];
                 let miss = residual[row] - before[row] - expected;
-                for column in 0..2 {
-                    self.jacobian[row][column] += miss * step[column] / length.max(1.0e-12);
+                for (slope, step) in self.jacobian[row].iter_mut().zip(step) {
+                    *slope += miss * step / length.max(1.0e-12);
                 }
             }
         }
