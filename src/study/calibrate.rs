@@ -244,4 +244,24 @@ mod tests {
         let stopped = super::fit(&start, &target, &options, &|_, _| Flow::Cancel).unwrap();
         assert_eq!(stopped, None);
     }
+
+    /// The catalogue's law is the reference law under the two scales that its source states.
+    #[test]
+    fn the_catalogues_reference_mesh_is_the_scaled_reference_law() {
+        let mesh = crate::mesh::catalogue::reference();
+        let wire = mesh.wire.as_ref().unwrap();
+        let stated = |before: &str| -> f64 {
+            let (_, rest) = wire.source.split_once(before).unwrap();
+            rest.split([',', ' ']).next().unwrap().parse().unwrap()
+        };
+        let (q, s) = (stated("stresses x "), stated("first point x "));
+        let made = law(&laws::reference(), q, s);
+        for (a, b) in [(&made.single, &wire.single), (&made.double_twist, &wire.double_twist)] {
+            for (a, b) in a.iter().zip(b.iter()) {
+                // The source has four decimals of the scales.
+                assert!((a.0 / b.0 - 1.0).abs() < 1e-4 && (a.1 / b.1 - 1.0).abs() < 1e-4);
+            }
+        }
+        assert_eq!((made.net, made.distortion), (wire.net, wire.distortion));
+    }
 }
