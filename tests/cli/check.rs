@@ -142,9 +142,16 @@ fn the_laboratory_has_random_alignments_and_eqs_1_and_2_beside_it() {
 
 #[test]
 fn a_punch_as_small_as_the_opening_slips_and_says_so() {
-    // Over the middle of an opening, without scatter.
-    let mut all = arguments(&["--runs=1", "--phase=0,0.25", "--law=bench", "--format=json"]);
-    all[4] = "0.08";
+    // Over the middle of an opening.
+    let all = [
+        "check",
+        "-L1.6",
+        "-D0.08",
+        "--fidelity=quick",
+        "--runs=1",
+        "--phase=0.25,0.25",
+        "--format=json",
+    ];
     let got = run(&all);
     assert_eq!(got.code, 0, "{}", got.err);
     let r: Value = serde_json::from_str(&got.out).unwrap();

@@ -77,6 +77,8 @@ struct RunJson<'a> {
     curve: CurveJson,
     quality: QualityJson,
     cost: CostJson,
+    /// Whether it was repeated with a shorter step.
+    repeated: bool,
     skipped: &'a [String],
 }
 
@@ -175,6 +177,7 @@ impl<'a> RunJson<'a> {
                 nodes: o.cost.nodes,
                 bonds: o.cost.bonds,
             },
+            repeated: o.repeated,
             skipped: &o.skipped,
         }
     }
