@@ -203,7 +203,7 @@ impl Field {
         match self {
             Field::Spacing => {
                 let larger = if layout.punch >= layout.plate { "D" } else { "d" };
-                format!("above {larger} = {}{unit}", text(min))
+                format!("above {larger} = {}, below {}{unit}", text(min), text(max))
             }
             Field::Plate | Field::Punch => format!("above 0, below L = {}{unit}", text(max)),
             _ if closed => format!("{} to {}{unit}", text(min), text(max)),
