@@ -155,6 +155,21 @@ pub fn run(
     plan: &Plan,
     progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
 ) -> Result<Ensemble, Vec<Problem>> {
+    run_watched(spec, controls, plan, progress, &|_, _| {})
+}
+
+/// The same; `finished` is told the number and the outcome of every run when it has ended, from the
+/// thread that made it and in no particular order.
+///
+/// # Errors
+/// What is wrong with the scene or the controls.
+pub fn run_watched(
+    spec: &SceneSpec,
+    controls: &Controls,
+    plan: &Plan,
+    progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
+    finished: &(dyn Fn(usize, &Run) + Sync),
+) -> Result<Ensemble, Vec<Problem>> {
     let cancelled = AtomicBool::new(false);
     let done: Mutex<Vec<Option<Run>>> = Mutex::new(Vec::new());
     let mut problems = Vec::new();
@@ -188,8 +203,11 @@ pub fn run(
                     Flow::Continue
                 };
                 match single(spec, controls, draw(plan, k), tell) {
-                    // A lock is only poisoned by a panic, and then the runs in it are still whole.
-                    Ok(run) => done.lock().unwrap_or_else(|e| e.into_inner())[k] = Some(run),
+                    Ok(run) => {
+                        finished(k, &run);
+                        // A lock is only poisoned by a panic, and then the runs in it are still whole.
+                        done.lock().unwrap_or_else(|e| e.into_inner())[k] = Some(run);
+                    }
                     Err(found) => {
                         cancelled.store(true, Ordering::Relaxed);
                         *failed.lock().unwrap_or_else(|e| e.into_inner()) = found;
@@ -278,7 +296,7 @@ fn enough(runs: &[Option<Run>]) -> Option<usize> {
 }
 
 /// The figures of some runs.
-fn summary(runs: Vec<Run>) -> Ensemble {
+pub fn summary(runs: Vec<Run>) -> Ensemble {
     let mut warnings = Vec::new();
     // A cancelled run's numbers are those of an unfinished test: kept, and not counted.
     let counted: Vec<&Outcome> = runs

@@ -12,6 +12,7 @@
 //! - [`clock`]: processor time and time on the wall.
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
 //!   the fingerprint of what one was made from.
+//! - [`verdict`]: what a check leaves behind, and how one is made of a layout.
 //! - [`bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
@@ -28,3 +29,4 @@ pub mod paper;
 pub mod sensitivity;
 pub mod solve;
 pub mod sweep;
+pub mod verdict;

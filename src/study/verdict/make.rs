@@ -1,0 +1,144 @@
+//! Making a verdict: the anchored test of a layout, watched from outside.
+
+use super::relief::Relief;
+use super::{Verdict, Wanted};
+use crate::dem::{Flow, PLAIN_PHASE, Scene, SceneSpec, Test};
+use crate::fingerprint::Fingerprint;
+use crate::layout::Layout;
+use crate::mesh::MeshType;
+use crate::mesh::wire::WireData;
+use crate::problem::Problem;
+use crate::study::ensemble::{self, EnsembleProgress, Run};
+use crate::study::inputs::of_ensemble;
+
+/// What a check tells while it runs.
+#[derive(Debug, Clone, Copy)]
+pub enum Told<'a> {
+    /// How far it has come.
+    Progress(EnsembleProgress),
+    /// A run, by its number, has ended.
+    Finished(usize, &'a Run),
+}
+
+/// A verdict with the shape of the net, which is not kept.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Made {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The net at the first break of the first run.
+    pub relief: Option<Relief>,
+}
+
+/// The anchored test of a layout.
+fn spec(layout: &Layout, wire: &WireData, wanted: &Wanted) -> SceneSpec {
+    SceneSpec {
+        layout: *layout,
+        test: Test::Anchored,
+        wire: wire.clone(),
+        phase: PLAIN_PHASE,
+        seed: wanted.seed,
+    }
+}
+
+/// The wires of a mesh.
+///
+/// # Errors
+/// The mesh has none.
+pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
+    mesh.wire.as_ref().ok_or_else(|| {
+        vec![
+            Problem::new("mesh", "this mesh has no wire data, which the check needs")
+                .value(mesh.id.clone())
+                .advice("add them to the mesh, or pick the reference mesh"),
+        ]
+    })
+}
+
+/// Fingerprint of all inputs of a layout's check.
+pub fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
+    of_ensemble(&spec(layout, wire, wanted), &wanted.controls(), &wanted.plan(1))
+}
+
+/// Whether a layout can be checked at all; cheap enough for every edit of a few.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn possible(layout: &Layout, mesh: &MeshType) -> Result<(), Vec<Problem>> {
+    let wanted = Wanted::default();
+    Scene::new(&spec(layout, wires(mesh)?, &wanted)).map(|_| ())
+}
+
+/// Checks a layout. `tell` is called from several threads and may end it; what is done by then is kept.
+///
+/// # Errors
+/// What is wrong with the layout or its wires.
+pub fn make(
+    layout: &Layout,
+    mesh: &MeshType,
+    wanted: &Wanted,
+    threads: usize,
+    tell: &(dyn Fn(Told) -> Flow + Sync),
+) -> Result<Made, Vec<Problem>> {
+    let spec = spec(layout, wires(mesh)?, wanted);
+    let (controls, plan) = (wanted.controls(), wanted.plan(threads));
+    let finished = |k: usize, run: &Run| {
+        tell(Told::Finished(k, run));
+    };
+    let progress = |now: EnsembleProgress| tell(Told::Progress(now));
+    let ensemble = ensemble::run_watched(&spec, &controls, &plan, &progress, &finished)?;
+    let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
+    let relief = first.map(|net| Relief::of(net, layout.spacing));
+    let inputs = of_ensemble(&spec, &controls, &plan);
+    Ok(Made { verdict: Verdict::of(&ensemble, wanted, inputs), relief })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dem::Fidelity;
+    use crate::layout::REFERENCE;
+    use crate::mesh::catalogue;
+    use crate::units::to_kn;
+
+    #[test]
+    fn a_verdict_ends_where_its_mean_first_break_is() {
+        let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 1 };
+        let mesh = catalogue::reference();
+        let seen = std::sync::Mutex::new(Vec::new());
+        let made = make(&layout, &mesh, &wanted, 2, &|told| {
+            if let Told::Finished(k, _) = told {
+                seen.lock().unwrap().push(k);
+            }
+            Flow::Continue
+        })
+        .unwrap();
+        let mut seen = seen.into_inner().unwrap();
+        seen.sort_unstable();
+        assert_eq!(seen, [0, 1, 2]);
+        let v = &made.verdict;
+        assert_eq!((v.runs, v.breaks.len(), v.slipped), (3, 3, 0));
+        assert!(v.curve.deflection.len() <= super::super::mean::POINTS);
+        assert!(v.curve.deflection.windows(2).all(|w| w[0] < w[1]));
+        let end = v.curve.failure.unwrap();
+        // Two means of the same numbers, each rounded to five digits: one unit of the last.
+        assert!((to_kn(end.force) / to_kn(v.force.mean) - 1.0).abs() < 1e-4);
+        assert!((end.deflection / v.deflection.mean - 1.0).abs() < 1e-4);
+        assert!((v.band[1].last().unwrap() / v.force.band[1] - 1.0).abs() < 1e-4);
+        assert_eq!(v.inputs, fingerprint(&layout, wires(&mesh).unwrap(), &wanted));
+        assert!(v.current(v.inputs) && !v.partial());
+        let relief = made.relief.unwrap();
+        // The punch is at the centre, and it is the highest place.
+        assert!((relief.at(0.0, 0.0) - relief.highest).abs() < 0.1 * relief.highest);
+        assert!(relief.at(0.7, 0.7) < 0.1 * relief.highest, "the corner is held");
+    }
+
+    #[test]
+    fn a_check_that_is_ended_at_once_has_nothing() {
+        let wanted = Wanted { runs: Some(2), ..Wanted::default() };
+        let made =
+            make(&REFERENCE, &catalogue::reference(), &wanted, 1, &|_| Flow::Cancel).unwrap();
+        assert!(made.verdict.partial() && !made.verdict.broke() && made.verdict.runs == 0);
+        assert!(made.verdict.curve.deflection.is_empty());
+    }
+}

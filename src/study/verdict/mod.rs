@@ -1,0 +1,217 @@
+//! What a check leaves behind: figures, a mean curve of few points with its band, where the first
+//! wires broke, how far to trust it, and the fingerprint of what it was made from. Small enough to be
+//! kept in a project, enough to draw and to report from.
+//!
+//! - [`make`]: a layout's ensemble, watched from outside, and its verdict.
+//! - [`mean`]: the mean curve and its band; [`relief`]: the shape of the deformed net.
+//!
+//! The numbers are rounded to [`DIGITS`] significant digits when a verdict is made, in the units in
+//! which a project holds them (kN, m, J), so that writing and reading one changes nothing.
+
+pub mod make;
+pub mod mean;
+pub mod relief;
+
+use super::ensemble::{Ensemble, Plan, Run, Spread};
+use crate::curve::{Curve, Point};
+use crate::dem::lattice::Role;
+use crate::dem::outcome::Quality;
+use crate::dem::{Controls, Fidelity, Stop};
+use crate::fingerprint::Fingerprint;
+use crate::units::{from_kn, to_kn};
+
+/// Significant digits of the numbers of a verdict; the method is good for three.
+pub const DIGITS: usize = 5;
+/// The program's version, which a verdict carries: another version may compute otherwise.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What is asked of a check.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// How exactly each run computes.
+    pub fidelity: Fidelity,
+    /// Number of runs; nothing means as many as the mean needs, see [`Plan::runs`].
+    pub runs: Option<usize>,
+    /// Seed of alignments and slack.
+    pub seed: u64,
+}
+
+impl Default for Wanted {
+    /// Standard fidelity, as many runs as needed, seed 0.
+    fn default() -> Wanted {
+        Wanted { fidelity: Fidelity::Standard, runs: None, seed: 0 }
+    }
+}
+
+impl Wanted {
+    /// Controls of the runs.
+    pub fn controls(&self) -> Controls {
+        Controls { fidelity: self.fidelity, keep_net: true, ..Controls::default() }
+    }
+
+    /// Plan of the ensemble, on this many threads.
+    pub fn plan(&self, threads: usize) -> Plan {
+        Plan { runs: self.runs, seed: self.seed, phase: None, threads: threads.max(1) }
+    }
+}
+
+/// Where a run broke first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FirstBreak {
+    /// Force (N) and deflection (m).
+    pub at: Point,
+    /// Middle of the broken bond in the unloaded net, from the panel's centre, m.
+    pub place: [f64; 2],
+    /// Whether it is a double twist; else a single wire.
+    pub twist: bool,
+}
+
+/// The result of a check in brief. Forces N, lengths m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// What was asked.
+    pub wanted: Wanted,
+    /// Fingerprint of all inputs, see [`super::inputs::of_ensemble`].
+    pub inputs: Fingerprint,
+    /// Version of the program that made it.
+    pub version: String,
+    /// Runs that count: those that came to an end of their own.
+    pub runs: usize,
+    /// How many of them slipped through without a break.
+    pub slipped: usize,
+    /// Force at the first break; without a break all zero but the band, which then is of the peaks.
+    pub force: Spread,
+    /// Deflection at the first break; likewise.
+    pub deflection: Spread,
+    /// Mean of the peaks.
+    pub peak: Point,
+    /// Mean tangent stiffness at 75 % of the force at the first break, N/m; 0 where there is none.
+    pub k75: f64,
+    /// Mean work of the punch up to the first break, J.
+    pub energy: f64,
+    /// Mean curve, at most [`mean::POINTS`] points; its failure point is the mean first break.
+    pub curve: Curve,
+    /// 5 % and 95 % limits of the force at the curve's points; empty for a single run.
+    pub band: [Vec<f64>; 2],
+    /// The first break of each run that has one, in the order of the runs.
+    pub breaks: Vec<FirstBreak>,
+    /// The worst of the runs' quality figures.
+    pub quality: Quality,
+    /// Warnings by their name, as those of an ensemble, `cancelled` among them.
+    pub warnings: Vec<String>,
+}
+
+impl Verdict {
+    /// The verdict on an ensemble, or on what there is of one.
+    pub fn of(ensemble: &Ensemble, wanted: &Wanted, inputs: Fingerprint) -> Verdict {
+        let runs: Vec<&Run> = ensemble.runs.iter().filter(|run| counts(run)).collect();
+        let (curve, band) = mean::of(&runs);
+        let force = |v: f64| from_kn(rounded(to_kn(v)));
+        let spread = |s: &Spread, round: &dyn Fn(f64) -> f64| Spread {
+            mean: round(s.mean),
+            deviation: round(s.deviation),
+            error: round(s.error),
+            band: s.band.map(round),
+        };
+        let breaks = runs.iter().filter_map(|run| {
+            let (at, first) = (run.outcome.first_break?, run.outcome.breaks.first()?);
+            Some(FirstBreak {
+                at: Point { force: force(at.force), deflection: rounded(at.deflection) },
+                place: first.place.map(rounded),
+                twist: first.role == Role::Twist,
+            })
+        });
+        let energy: f64 = runs.iter().map(|run| run.outcome.energy).sum();
+        Verdict {
+            wanted: wanted.clone(),
+            inputs,
+            version: VERSION.to_string(),
+            runs: runs.len(),
+            slipped: ensemble.slipped,
+            force: spread(&ensemble.force, &force),
+            deflection: spread(&ensemble.deflection, &rounded),
+            peak: Point { force: force(ensemble.peak[0]), deflection: rounded(ensemble.peak[1]) },
+            k75: force(ensemble.k75),
+            energy: rounded(energy / runs.len().max(1) as f64),
+            breaks: breaks.collect(),
+            curve,
+            band,
+            quality: worst(&runs),
+            warnings: ensemble.warnings.clone(),
+        }
+    }
+
+    /// Whether the check was ended before all its runs were made.
+    pub fn partial(&self) -> bool {
+        self.warnings.iter().any(|w| w == "cancelled")
+    }
+
+    /// Whether one alignment says nothing here, see [`crate::dem::bifurcation`].
+    pub fn bifurcation(&self) -> bool {
+        self.warnings.iter().any(|w| w == "bifurcation")
+    }
+
+    /// Whether there is a mean first break.
+    pub fn broke(&self) -> bool {
+        self.curve.failure.is_some()
+    }
+
+    /// Whether it still is what this program would find for these inputs; `now` is their fingerprint
+    /// as [`make::fingerprint`] makes it.
+    pub fn current(&self, now: Fingerprint) -> bool {
+        self.inputs == now && self.version == VERSION
+    }
+}
+
+/// Whether a run counts: it came to an end of its own, or at least to its first break.
+pub fn counts(run: &Run) -> bool {
+    let outcome = &run.outcome;
+    outcome.stop != Stop::Diverged
+        && !(outcome.stop == Stop::Cancelled && outcome.first_break.is_none())
+}
+
+/// The worst of each figure.
+fn worst(runs: &[&Run]) -> Quality {
+    let most = |f: fn(&Quality) -> f64| {
+        let far = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        rounded(runs.iter().map(|run| f(&run.outcome.quality)).fold(0.0, far))
+    };
+    let ratios = runs.iter().map(|run| run.outcome.quality.support_over_punch);
+    let off = |a: f64, b: f64| if (b - 1.0).abs() > (a - 1.0).abs() { b } else { a };
+    Quality {
+        kinetic_over_internal: most(|q| q.kinetic_over_internal),
+        energy_balance: most(|q| q.energy_balance),
+        support_over_punch: rounded(ratios.fold(1.0, off)),
+        last_utilisation: most(|q| q.last_utilisation),
+        shaking: most(|q| q.shaking),
+        error_estimate: most(|q| q.error_estimate),
+    }
+}
+
+/// A number at [`DIGITS`] significant digits; 0 for what is no number.
+pub fn rounded(value: f64) -> f64 {
+    if !value.is_finite() || value == 0.0 {
+        return 0.0;
+    }
+    // What was printed as a number is read as one.
+    format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_keeps_five_digits_and_is_idempotent() {
+        assert_eq!(rounded(30.174_56), 30.175);
+        assert_eq!(rounded(-0.000_123_456), -0.000_123_46);
+        assert_eq!(rounded(f64::NAN), 0.0);
+        assert_eq!(rounded(-0.0).to_bits(), 0);
+        for v in [1.0 / 3.0, 28_512.345, 1.0e-9, 9.999_96] {
+            assert_eq!(rounded(rounded(v)), rounded(v));
+            // The way through a file: N to kN, rounded, and back.
+            let force = from_kn(rounded(to_kn(v)));
+            assert_eq!(from_kn(rounded(to_kn(force))), force);
+        }
+    }
+}
