@@ -12,6 +12,7 @@
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
 //! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles,
 //!   calibration, run time against error.
+//! - [`job`]: work behind the screen: one worker, one waiting slot, progress, cancelling.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
 //! - [`app`]: the state of the interactive program; no input or output.
@@ -27,6 +28,7 @@ pub mod dem;
 pub mod export;
 pub mod fingerprint;
 pub mod forecast;
+pub mod job;
 pub mod layout;
 pub mod mesh;
 pub mod problem;

@@ -21,7 +21,7 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),
     ("study", &[GROUND, &["dem", "forecast"]]),
-    ("project", &[GROUND]),
+    ("project", &[GROUND, &["dem", "study"]]),
     ("export", &[GROUND, &["dem", "forecast", "project", "study"]]),
     ("job", &[GROUND, &["dem", "forecast", "study"]]),
     ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "study"]]),
