@@ -106,8 +106,7 @@ fn an_edit_of_a_value_is_cheap() {
 
 #[test]
 fn no_key_is_dear() {
-    let keys: Vec<Key> = meshcast::app::keymap::BINDINGS
-        .iter()
+    let keys: Vec<Key> = meshcast::app::keymap::all()
         .flat_map(|binding| binding.keys.iter().copied())
         .chain("0123456789.m:abc".chars().map(Key::char))
         .chain([plain(Code::Enter), plain(Code::Esc), plain(Code::Backspace)])

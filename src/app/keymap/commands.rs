@@ -1,0 +1,29 @@
+//! The commands of the `:` line, as the help lists them.
+
+/// A command of the command line: its form and what it does, for the help.
+pub struct CommandHelp {
+    /// The form, as typed after the colon.
+    pub form: &'static str,
+    /// What it does.
+    pub help: &'static str,
+}
+
+/// The commands, in the order of the help; `app::command` carries them out, and a test holds the two
+/// together.
+pub const COMMANDS: &[CommandHelp] = &[
+    CommandHelp { form: "w", help: "save" },
+    CommandHelp { form: "w PATH", help: "save to another file and go on with that one" },
+    CommandHelp { form: "w!", help: "save over a file that changed on disk" },
+    CommandHelp { form: "wq", help: "save and quit (also :x)" },
+    CommandHelp { form: "q", help: "quit; asks when edits are unsaved" },
+    CommandHelp { form: "q!", help: "quit without saving" },
+    CommandHelp { form: "N", help: "select layout number N" },
+    CommandHelp { form: "name TEXT", help: "name of the project" },
+    CommandHelp { form: "site TEXT", help: "site of the project" },
+    CommandHelp { form: "mesh ID", help: "mesh of this layout" },
+    CommandHelp { form: "units m|mm", help: "unit of lengths" },
+    CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },
+    CommandHelp { form: "color 16|none", help: "colours" },
+    CommandHelp { form: "undo / redo", help: "the same as u and U" },
+    CommandHelp { form: "help", help: "this help" },
+];
