@@ -28,6 +28,20 @@ pub fn live_wanted() -> Wanted {
     Wanted { fidelity: Fidelity::Quick, runs: Some(LIVE_RUNS), seed: 0 }
 }
 
+/// How checks are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Checking {
+    /// How exactly each run computes.
+    pub fidelity: Fidelity,
+    /// Number of runs; nothing means until the mean is known.
+    pub runs: Option<usize>,
+    /// Whether a quick check follows each edit.
+    pub live: bool,
+}
+
+/// Most runs that can be asked for.
+pub const MOST_RUNS: usize = 1_000;
+
 /// An order of the user's that runs.
 #[derive(Debug, Clone, Default)]
 pub struct Running {
@@ -163,6 +177,64 @@ impl App {
         }
     }
 
+    /// How checks are made.
+    pub fn checking(&self) -> Checking {
+        self.checking
+    }
+
+    /// Whether a quick check follows each edit.
+    pub fn live(&self) -> bool {
+        self.checking.live
+    }
+
+    fn set_live(&mut self, on: bool) {
+        self.checking.live = on;
+    }
+
+    /// What a check is asked for.
+    fn wanted(&self) -> Wanted {
+        Wanted { fidelity: self.checking.fidelity, runs: self.checking.runs, seed: 0 }
+    }
+
+    /// Takes the next fidelity.
+    pub(super) fn next_fidelity(&mut self) {
+        self.checking.fidelity = match self.checking.fidelity {
+            Fidelity::Quick => Fidelity::Standard,
+            Fidelity::Standard => Fidelity::Fine,
+            Fidelity::Fine | Fidelity::Reference => Fidelity::Quick,
+        };
+        let fidelity = self.checking.fidelity;
+        self.inform(format!(
+            "checks are {}: errors within {} %",
+            fidelity.word(),
+            crate::units::significant(100.0 * fidelity.aim(), 1)
+        ));
+    }
+
+    /// Sets the fidelity by its word.
+    ///
+    /// # Errors
+    /// Which words there are.
+    pub(super) fn set_fidelity(&mut self, word: &str) -> Result<(), String> {
+        let offered = [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine];
+        let found = offered.into_iter().find(|f| f.word() == word);
+        self.checking.fidelity = found.ok_or("fidelity quick, standard or fine")?;
+        Ok(())
+    }
+
+    /// Sets the number of runs.
+    ///
+    /// # Errors
+    /// What is allowed.
+    pub(super) fn set_runs(&mut self, text: &str) -> Result<(), String> {
+        self.checking.runs = match text.parse::<usize>() {
+            _ if text == "auto" => None,
+            Ok(n) if (1..=MOST_RUNS).contains(&n) => Some(n),
+            _ => return Err(format!("runs auto, or 1 to {MOST_RUNS}")),
+        };
+        Ok(())
+    }
+
     fn target(&self, index: usize) -> Option<Target> {
         let layout = &self.project.layouts[index];
         let result = &self.results[index];
@@ -180,14 +252,16 @@ impl App {
 
     /// Orders the check of the selected layout, or of all.
     pub(super) fn start_check(&mut self, all: bool) -> Vec<Effect> {
-        let indices = if all { 0..self.project.layouts.len() } else { self.selected..self.selected + 1 };
+        let indices =
+            if all { 0..self.project.layouts.len() } else { self.selected..self.selected + 1 };
         let targets: Vec<Target> = indices.filter_map(|i| self.target(i)).collect();
         if targets.is_empty() {
             self.complain("this layout's mesh is not known, so it cannot be checked");
             return Vec::new();
         }
         let running = Running { targets: targets.len(), ..Running::default() };
-        let order = self.order(Task::Checks(Checks { targets, wanted: self.wanted(), live: false }));
+        let order =
+            self.order(Task::Checks(Checks { targets, wanted: self.wanted(), live: false }));
         self.work.running = Some(Running { number: order.number, ..running });
         // The worker ends a live check for it.
         self.work.live_order = None;
@@ -240,8 +314,7 @@ impl App {
             let stop = self.work.live_order.take().is_some() && self.work.running.is_none();
             return stop.then_some(Effect::StopWork);
         };
-        let order =
-            self.order(Task::Checks(Checks { targets: vec![target], wanted, live: true }));
+        let order = self.order(Task::Checks(Checks { targets: vec![target], wanted, live: true }));
         self.work.live_order = Some(order.number);
         Some(Effect::Work(order))
     }
@@ -344,9 +417,8 @@ impl App {
     /// Another state of the project with the results that there are now.
     pub(super) fn with_checks(&self, other: Arc<Project>) -> Arc<Project> {
         let newer = |uid: u64| self.project.layouts.iter().find(|l| l.uid == uid);
-        let differs = |l: &crate::project::NamedLayout| {
-            newer(l.uid).is_some_and(|now| now.check != l.check)
-        };
+        let differs =
+            |l: &crate::project::NamedLayout| newer(l.uid).is_some_and(|now| now.check != l.check);
         if !other.layouts.iter().any(differs) {
             return other;
         }

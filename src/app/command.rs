@@ -30,6 +30,18 @@ impl App {
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
             "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "check" => match rest {
+                "" => return Ok(self.start_check(false)),
+                "all" => return Ok(self.start_check(true)),
+                _ => return Err("check, or check all".into()),
+            },
+            "fidelity" => self.set_fidelity(rest)?,
+            "runs" => self.set_runs(rest)?,
+            "live" => match rest {
+                "on" | "off" if (rest == "on") == self.live() => {}
+                "on" | "off" => return Ok(self.toggle_live()),
+                _ => return Err("live on or live off".into()),
+            },
             "undo" => self.undo(),
             "redo" => self.redo(),
             "help" | "h" => self.mode = Mode::Help { scroll: 0 },

@@ -2,6 +2,7 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
+use crate::job::{News, Order};
 use crate::project::Project;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -26,6 +27,8 @@ pub enum Message {
     Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.
     HangUp,
+    /// News of work behind the screen.
+    Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
     Resumed,
 }
@@ -71,6 +74,10 @@ pub enum Effect {
     },
     /// Drop the recovery file: everything is saved or the user let the edits go.
     ForgetRecovery,
+    /// Do this behind the screen; its news come as [`Message::Work`].
+    Work(Order),
+    /// End what runs behind the screen.
+    StopWork,
     /// Give the terminal back and stop until continued.
     Suspend,
     /// Draw the whole screen anew.

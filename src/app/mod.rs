@@ -4,8 +4,10 @@
 //! - [`keymap`]: which key means what where; [`field`]: the inputs of a layout.
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
+//! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
+pub mod checks;
 pub mod command;
 pub mod derived;
 pub mod edit;
@@ -21,6 +23,7 @@ pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
 use crate::units::LengthUnit;
+use checks::{Checking, Work};
 use derived::Derived;
 use entry::Entry;
 use field::Field;
@@ -104,6 +107,8 @@ pub struct App {
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
+    checking: Checking,
+    work: Work,
 }
 
 /// What a program starts with.
@@ -143,6 +148,8 @@ impl App {
             size: start.size,
             dirty: true,
             quit_after_save: false,
+            checking: Checking::default(),
+            work: Work::default(),
         };
         if let Some(kept) = start.kept {
             app.mode = Mode::ConfirmRecovery { kept };
@@ -300,7 +307,7 @@ impl App {
     }
 
     fn go_to(&mut self, step: Step) {
-        self.project = step.project;
+        self.project = self.with_checks(step.project);
         self.selected = step.selected;
         self.field = step.field;
         self.derive();

@@ -13,6 +13,12 @@ impl App {
     /// Takes a message; returns what is to be done.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
         self.dirty = true;
+        let mut effects = self.take(message);
+        effects.extend(self.follow_edit());
+        effects
+    }
+
+    fn take(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(key) => self.key(key),
             Message::Paste(text) => {
@@ -33,6 +39,10 @@ impl App {
                 }
                 effects.push(Effect::Quit);
                 effects
+            }
+            Message::Work(news) => {
+                self.news(news);
+                Vec::new()
             }
             Message::Resumed => vec![Effect::Redraw],
             Message::Trouble(text) => {
@@ -137,6 +147,11 @@ impl App {
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
             Action::Restore => self.restore(),
+            Action::Check => return self.start_check(false),
+            Action::CheckAll => return self.start_check(true),
+            Action::Live => return self.toggle_live(),
+            Action::Fidelity => self.next_fidelity(),
+            Action::Stop => return self.stop_work(),
         }
         Vec::new()
     }

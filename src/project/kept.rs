@@ -161,8 +161,14 @@ fn back(k: Kept) -> Result<Verdict, &'static str> {
     }
     let newtons = |list: Vec<f64>| list.into_iter().map(from_kn).collect::<Vec<f64>>();
     let point = |[force, deflection]: [f64; 2]| Point { deflection, force: from_kn(force) };
-    let [kinetic_over_internal, energy_balance, support_over_punch, last_utilisation, shaking, error] =
-        k.quality;
+    let [
+        kinetic_over_internal,
+        energy_balance,
+        support_over_punch,
+        last_utilisation,
+        shaking,
+        error,
+    ] = k.quality;
     Ok(Verdict {
         wanted: Wanted {
             fidelity: k.fidelity,
@@ -223,8 +229,7 @@ mod tests {
     fn a_verdict_comes_back_to_the_last_bit_and_is_small() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 };
-        let made =
-            make(&layout, &catalogue::reference(), &wanted, 1, &|_| Flow::Continue).unwrap();
+        let made = make(&layout, &catalogue::reference(), &wanted, 1, &|_| Flow::Continue).unwrap();
         let text = write(&made.verdict);
         assert!(!text.contains('\n') && text.len() < 3_000, "{} bytes: {text}", text.len());
         assert_eq!(read_back(&text).unwrap(), made.verdict);

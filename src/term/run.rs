@@ -4,6 +4,7 @@ use super::events::Event;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
+use super::workshop::Workshop;
 use crate::app::message::{Effect, Message};
 use std::collections::VecDeque;
 use std::io;
@@ -44,6 +45,7 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) host: Arc<dyn Host>,
     pub(super) rescue: Arc<Rescue>,
     pub(super) events: Receiver<Event>,
+    pub(super) workshop: Workshop,
     pub(super) painter: Painter,
     /// How long edits may stay out of the recovery file; `None` leaves it to the program.
     pub(super) autosave: Option<Duration>,
@@ -130,8 +132,9 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         }
     }
 
-    fn carry_out(&mut self, effect: Effect) -> Option<Message> {
-        match effect {
+    /// Does what was asked for; returns what is to be told of it at once.
+    fn carry_out(&mut self, effect: Effect) -> Vec<Message> {
+        let message = match effect {
             Effect::Save { project, path, overwrite } => {
                 Some(Message::Saved(self.host.save(&project, path.as_deref(), overwrite)))
             }
@@ -148,6 +151,11 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.suspend(true);
                 None
             }
+            Effect::Work(order) => return self.workshop.order(order),
+            Effect::StopWork => {
+                self.workshop.stop();
+                None
+            }
             Effect::Redraw => {
                 self.painter.forget();
                 self.redraw = true;
@@ -157,7 +165,8 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.ending = Some(Ending::Quit);
                 None
             }
-        }
+        };
+        message.into_iter().collect()
     }
 
     fn forget_recovery(&mut self) -> Option<Message> {

@@ -94,6 +94,16 @@ pub enum Action {
     Overwrite,
     /// Take back the unsaved edits that were kept.
     Restore,
+    /// Check the layout by simulation.
+    Check,
+    /// Check all layouts.
+    CheckAll,
+    /// Switch live checks.
+    Live,
+    /// Take the next fidelity of checks.
+    Fidelity,
+    /// End what runs behind the screen.
+    Stop,
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.

@@ -1,4 +1,7 @@
-//! The texts of help and details, as lines; drawing them is the business of `ui`.
+//! The texts of help and details, as lines; drawing them is the business of `ui`. [`check`] has the part
+//! that speaks of the check.
+
+mod check;
 
 use super::keymap::{self, Action, Context};
 use super::{App, Mode};
@@ -16,7 +19,7 @@ pub struct PageLine {
 }
 
 /// A page as it grows.
-struct Page {
+pub(super) struct Page {
     width: usize,
     lines: Vec<PageLine>,
 }
@@ -76,7 +79,7 @@ pub fn help(width: usize) -> Vec<PageLine> {
     }
     page.heading("Signs");
     page.text("  ! beside a number: something to know about it; i says what", 2);
-    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
+    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. o: mean first break of the check by simulation, with its curve in dashes and its 5 to 95 % band in dots; x in the plan: where the first wire of each run broke, and lines of equal height of the net at 20, 40, 60 and 80 % of its largest. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
     page.heading("The method");
     method(&mut page);
     page.lines
@@ -111,6 +114,7 @@ pub fn details(app: &App, width: usize) -> Vec<PageLine> {
             for w in &forecast.warnings {
                 page.text(&format!("  ! {}", w.message()), 4);
             }
+            check::section(&mut page, app);
             numbers(&mut page, app, forecast);
         }
     }
