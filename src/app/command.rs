@@ -51,6 +51,7 @@ impl App {
                 "none" => self.look.color = ColorMode::None,
                 _ => return Err("color 16 or color none".into()),
             },
+            "set" => return self.set_command(rest),
             _ => match word.parse::<usize>() {
                 Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {
                     self.selected = n - 1;

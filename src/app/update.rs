@@ -5,7 +5,7 @@ use super::field::{Field, StepSize};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
 use super::message::{Effect, Message, SaveFailure, Saved};
-use super::{App, Mode};
+use super::{App, Mode, settings};
 use crate::units::Quantity;
 use std::path::PathBuf;
 
@@ -35,6 +35,14 @@ impl App {
                 effects
             }
             Message::Resumed => vec![Effect::Redraw],
+            Message::SettingsKept(result) => {
+                match result {
+                    Ok(Some(note)) => self.inform(note),
+                    Ok(None) => {}
+                    Err(why) => self.complain(why),
+                }
+                Vec::new()
+            }
             Message::Trouble(text) => {
                 self.complain(text);
                 Vec::new()
@@ -137,6 +145,8 @@ impl App {
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
             Action::Restore => self.restore(),
+            Action::NextWord => return self.change_marked_setting(true),
+            Action::PreviousWord => return self.change_marked_setting(false),
         }
         Vec::new()
     }
@@ -166,6 +176,10 @@ impl App {
             }
             Mode::MeshPicker { index } => {
                 *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;
+            }
+            Mode::Settings { index } => {
+                let last = settings::Item::ALL.len() - 1;
+                *index = index.saturating_add_signed(lines).min(last);
             }
             _ => {}
         }
