@@ -7,6 +7,7 @@
 
 use super::App;
 use super::message::Effect;
+use super::settings::Item;
 use crate::curve::Point;
 use crate::dem::Fidelity;
 use crate::fingerprint::Fingerprint;
@@ -17,7 +18,7 @@ use crate::study::verdict::Verdict;
 use crate::study::verdict::Wanted;
 use crate::study::verdict::make::{Made, fingerprint};
 use crate::study::verdict::relief::Relief;
-use crate::units::{force_text, length_text};
+use crate::units::{force_text, length_text, significant};
 use std::sync::Arc;
 
 /// Runs of a live check: few enough to be there while one turns a value, enough for a band.
@@ -27,20 +28,6 @@ pub const LIVE_RUNS: usize = 4;
 pub fn live_wanted() -> Wanted {
     Wanted { fidelity: Fidelity::Quick, runs: Some(LIVE_RUNS), seed: 0 }
 }
-
-/// How checks are made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Checking {
-    /// How exactly each run computes.
-    pub fidelity: Fidelity,
-    /// Number of runs; nothing means until the mean is known.
-    pub runs: Option<usize>,
-    /// Whether a quick check follows each edit.
-    pub live: bool,
-}
-
-/// Most runs that can be asked for.
-pub const MOST_RUNS: usize = 1_000;
 
 /// An order of the user's that runs.
 #[derive(Debug, Clone, Default)]
@@ -177,62 +164,24 @@ impl App {
         }
     }
 
-    /// How checks are made.
-    pub fn checking(&self) -> Checking {
-        self.checking
-    }
-
     /// Whether a quick check follows each edit.
     pub fn live(&self) -> bool {
-        self.checking.live
-    }
-
-    fn set_live(&mut self, on: bool) {
-        self.checking.live = on;
+        self.settings.live
     }
 
     /// What a check is asked for.
-    fn wanted(&self) -> Wanted {
-        Wanted { fidelity: self.checking.fidelity, runs: self.checking.runs, seed: 0 }
+    pub fn wanted(&self) -> Wanted {
+        Wanted { fidelity: self.settings.fidelity, runs: self.settings.runs, seed: 0 }
     }
 
     /// Takes the next fidelity.
-    pub(super) fn next_fidelity(&mut self) {
-        self.checking.fidelity = match self.checking.fidelity {
-            Fidelity::Quick => Fidelity::Standard,
-            Fidelity::Standard => Fidelity::Fine,
-            Fidelity::Fine | Fidelity::Reference => Fidelity::Quick,
-        };
-        let fidelity = self.checking.fidelity;
-        self.inform(format!(
-            "checks are {}: errors within {} %",
-            fidelity.word(),
-            crate::units::significant(100.0 * fidelity.aim(), 1)
-        ));
-    }
-
-    /// Sets the fidelity by its word.
-    ///
-    /// # Errors
-    /// Which words there are.
-    pub(super) fn set_fidelity(&mut self, word: &str) -> Result<(), String> {
-        let offered = [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine];
-        let found = offered.into_iter().find(|f| f.word() == word);
-        self.checking.fidelity = found.ok_or("fidelity quick, standard or fine")?;
-        Ok(())
-    }
-
-    /// Sets the number of runs.
-    ///
-    /// # Errors
-    /// What is allowed.
-    pub(super) fn set_runs(&mut self, text: &str) -> Result<(), String> {
-        self.checking.runs = match text.parse::<usize>() {
-            _ if text == "auto" => None,
-            Ok(n) if (1..=MOST_RUNS).contains(&n) => Some(n),
-            _ => return Err(format!("runs auto, or 1 to {MOST_RUNS}")),
-        };
-        Ok(())
+    pub(super) fn next_fidelity(&mut self) -> Vec<Effect> {
+        let word = self.settings.neighbour(Item::Fidelity, true);
+        // The word is one of the list, so it is taken.
+        let effects = self.set_setting(Item::Fidelity, word).unwrap_or_default();
+        let aim = 100.0 * self.settings.fidelity.aim();
+        self.inform(format!("checks are {word}: errors within {} %", significant(aim, 1)));
+        effects
     }
 
     fn target(&self, index: usize) -> Option<Target> {
@@ -284,16 +233,20 @@ impl App {
     /// Switches live mode.
     pub(super) fn toggle_live(&mut self) -> Vec<Effect> {
         let on = !self.live();
-        self.set_live(on);
+        // Both words are known.
+        let mut effects =
+            self.set_setting(Item::Live, if on { "on" } else { "off" }).unwrap_or_default();
         if on {
             self.inform("live: a quick check follows each edit; l switches it off");
-            return Vec::new();
+            return effects;
         }
         self.inform("live mode off");
         self.work.live_key = None;
         self.work.live_result = None;
-        let stop = self.work.live_order.take().is_some() && self.work.running.is_none();
-        if stop { vec![Effect::StopWork] } else { Vec::new() }
+        if self.work.live_order.take().is_some() && self.work.running.is_none() {
+            effects.push(Effect::StopWork);
+        }
+        effects
     }
 
     /// A live check, if the inputs are others than those of the last one.

@@ -2,6 +2,7 @@
 
 use super::look::{ColorMode, Glyphs};
 use super::message::Effect;
+use super::settings::Item;
 use super::{App, Mode};
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
@@ -35,8 +36,8 @@ impl App {
                 "all" => return Ok(self.start_check(true)),
                 _ => return Err("check, or check all".into()),
             },
-            "fidelity" => self.set_fidelity(rest)?,
-            "runs" => self.set_runs(rest)?,
+            "fidelity" => return self.set_setting(Item::Fidelity, rest),
+            "runs" => return self.set_setting(Item::Runs, rest),
             "live" => match rest {
                 "on" | "off" if (rest == "on") == self.live() => {}
                 "on" | "off" => return Ok(self.toggle_live()),
@@ -63,6 +64,7 @@ impl App {
                 "none" => self.look.color = ColorMode::None,
                 _ => return Err("color 16 or color none".into()),
             },
+            "set" => return self.set_command(rest),
             _ => match word.parse::<usize>() {
                 Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {
                     self.selected = n - 1;

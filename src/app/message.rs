@@ -2,6 +2,7 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
+use super::settings::Settings;
 use crate::job::{News, Order};
 use crate::project::Project;
 use std::path::PathBuf;
@@ -31,6 +32,8 @@ pub enum Message {
     Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
     Resumed,
+    /// Settings were kept, with what the user should know of it, or could not be, and why.
+    SettingsKept(Result<Option<String>, String>),
 }
 
 /// A save that worked.
@@ -84,4 +87,9 @@ pub enum Effect {
     Redraw,
     /// End the program.
     Quit,
+    /// Keep the settings for the next start, and answer with [`Message::SettingsKept`].
+    KeepSettings {
+        /// What to keep.
+        settings: Settings,
+    },
 }

@@ -5,6 +5,7 @@
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
+//! - [`settings`]: what the user decided for all projects.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
 pub mod checks;
@@ -19,17 +20,19 @@ pub mod keymap;
 pub mod look;
 pub mod message;
 pub mod pages;
+pub mod settings;
 pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
 use crate::units::LengthUnit;
-use checks::{Checking, Work};
+use checks::Work;
 use derived::Derived;
 use entry::Entry;
 use field::Field;
 use history::{History, Step};
 use keymap::Context;
 use look::Look;
+use settings::{Preferences, Settings};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -63,6 +66,11 @@ pub enum Mode {
         path: Option<PathBuf>,
         /// Whether to quit after saving.
         quit: bool,
+    },
+    /// The list of settings with one marked.
+    Settings {
+        /// The marked one, an index of [`settings::Item::ALL`].
+        index: usize,
     },
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
@@ -107,8 +115,10 @@ pub struct App {
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
-    checking: Checking,
     work: Work,
+    preferences: Preferences,
+    /// The settings that hold: the kept ones with the flags of this run over them.
+    settings: Settings,
 }
 
 /// What a program starts with.
@@ -128,11 +138,14 @@ pub struct Start {
     pub units: Option<LengthUnit>,
     /// Columns and rows.
     pub size: (u16, u16),
+    /// Settings, and where they come from.
+    pub preferences: Preferences,
 }
 
 impl App {
     /// The state at the start.
     pub fn new(start: Start) -> App {
+        let level = if start.preferences.trouble.is_some() { Level::Error } else { Level::Info };
         let mut app = App {
             saved: start.project.clone(),
             project: start.project,
@@ -141,15 +154,16 @@ impl App {
             selected: 0,
             field: Field::Plate,
             mode: Mode::Main,
-            status: start.note.map(|text| Status { level: Level::Info, text }),
+            status: start.note.map(|text| Status { level, text }),
             results: Vec::new(),
             look: start.look,
             units: start.units,
             size: start.size,
             dirty: true,
             quit_after_save: false,
-            checking: Checking::default(),
             work: Work::default(),
+            settings: start.preferences.effective(),
+            preferences: start.preferences,
         };
         if let Some(kept) = start.kept {
             app.mode = Mode::ConfirmRecovery { kept };
@@ -238,6 +252,7 @@ impl App {
             Mode::ConfirmQuit => Context::ConfirmQuit,
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
             Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
+            Mode::Settings { .. } => Context::Settings,
         })
     }
 

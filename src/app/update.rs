@@ -5,7 +5,7 @@ use super::field::{Field, StepSize};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
 use super::message::{Effect, Message, SaveFailure, Saved};
-use super::{App, Mode};
+use super::{App, Mode, settings};
 use crate::units::Quantity;
 use std::path::PathBuf;
 
@@ -45,6 +45,14 @@ impl App {
                 Vec::new()
             }
             Message::Resumed => vec![Effect::Redraw],
+            Message::SettingsKept(result) => {
+                match result {
+                    Ok(Some(note)) => self.inform(note),
+                    Ok(None) => {}
+                    Err(why) => self.complain(why),
+                }
+                Vec::new()
+            }
             Message::Trouble(text) => {
                 self.complain(text);
                 Vec::new()
@@ -150,8 +158,10 @@ impl App {
             Action::Check => return self.start_check(false),
             Action::CheckAll => return self.start_check(true),
             Action::Live => return self.toggle_live(),
-            Action::Fidelity => self.next_fidelity(),
+            Action::Fidelity => return self.next_fidelity(),
             Action::Stop => return self.stop_work(),
+            Action::NextWord => return self.change_marked_setting(true),
+            Action::PreviousWord => return self.change_marked_setting(false),
         }
         Vec::new()
     }
@@ -181,6 +191,10 @@ impl App {
             }
             Mode::MeshPicker { index } => {
                 *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;
+            }
+            Mode::Settings { index } => {
+                let last = settings::Item::ALL.len() - 1;
+                *index = index.saturating_add_signed(lines).min(last);
             }
             _ => {}
         }

@@ -1,5 +1,6 @@
 //! Flags of the interactive program, which every subcommand takes too.
 
+use crate::app::settings::{Item, Settings};
 use crate::units::LengthUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -17,6 +18,82 @@ pub struct UiFlags {
     /// Unit of lengths on the screen and in text results; files, JSON and CSV are always in metres.
     #[arg(long, global = true, value_name = "UNIT", value_parser = length_unit(), help_heading = "Screen")]
     pub units: Option<LengthUnit>,
+}
+
+/// Flags of the interactive program alone: each is a setting too, and stands above the kept one for
+/// this run. Subcommands have flags of their own for these.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Args)]
+pub struct StartFlags {
+    /// How exactly checks compute in the program.
+    #[arg(long, value_enum, value_name = "FIDELITY", help_heading = "Program")]
+    pub fidelity: Option<FidelityFlag>,
+    /// Runs of a check in the program: auto or a number.
+    #[arg(long, value_name = "N", value_parser = runs, help_heading = "Program")]
+    pub runs: Option<Runs>,
+    /// Start with live mode on: a quick check follows every edit.
+    #[arg(long, overrides_with = "no_live", help_heading = "Program")]
+    pub live: bool,
+    /// Start with live mode off.
+    #[arg(long, overrides_with = "live", help_heading = "Program")]
+    pub no_live: bool,
+    /// Start with the tour.
+    #[arg(long, overrides_with = "no_tour", help_heading = "Program")]
+    pub tour: bool,
+    /// Start without the first-run tour.
+    #[arg(long, overrides_with = "tour", help_heading = "Program")]
+    pub no_tour: bool,
+}
+
+/// How many runs; none is as many as needed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Runs(pub Option<usize>);
+
+fn runs(text: &str) -> Result<Runs, String> {
+    let mut settings = Settings::default();
+    settings.set(Item::Runs, text).map_err(|_| format!("allowed: {}", Item::Runs.allowed()))?;
+    Ok(Runs(settings.runs))
+}
+
+/// How exactly to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FidelityFlag {
+    /// Errors within 3 %.
+    Quick,
+    /// Errors within 1 %.
+    Standard,
+    /// Errors within 0.2 %.
+    Fine,
+}
+
+impl StartFlags {
+    /// Whether any of them was given.
+    pub fn any(&self) -> bool {
+        *self != StartFlags::default()
+    }
+}
+
+/// The flags of this run as settings with their words.
+pub fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(Item, String)> {
+    fn word<T: ValueEnum>(value: &T) -> String {
+        value.to_possible_value().map_or(String::new(), |v| v.get_name().to_string())
+    }
+    let switch = |on: bool, off: bool, words: [&str; 2]| match (on, off) {
+        (true, _) => Some(words[0].to_string()),
+        (_, true) => Some(words[1].to_string()),
+        _ => None,
+    };
+    [
+        (Item::Units, ui.units.map(|u| u.symbol().to_string())),
+        (Item::Glyphs, ui.glyphs.as_ref().map(word)),
+        (Item::Color, ui.color.as_ref().map(word)),
+        (Item::Fidelity, start.fidelity.as_ref().map(word)),
+        (Item::Runs, start.runs.map(|r| r.0.map_or("auto".into(), |n| n.to_string()))),
+        (Item::Live, switch(start.live, start.no_live, ["on", "off"])),
+        (Item::Tour, switch(start.tour, start.no_tour, ["due", "seen"])),
+    ]
+    .into_iter()
+    .filter_map(|(item, word)| Some((item, word?)))
+    .collect()
 }
 
 /// Which colours to use.

@@ -39,7 +39,7 @@ pub mod watch;
 pub mod wire;
 
 pub use crate::VERSION;
-pub use flags::UiFlags;
+pub use flags::{StartFlags, UiFlags};
 
 use clap::{CommandFactory, Parser, Subcommand};
 use output::{Fault, Outcome};
@@ -78,6 +78,8 @@ struct Root {
     project: Option<PathBuf>,
     #[command(flatten)]
     ui: UiFlags,
+    #[command(flatten)]
+    start: StartFlags,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -111,7 +113,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     match root.command {
-        None => open(root.project, root.ui),
+        None => open(root.project, root.ui, root.start),
+        Some(_) if root.start.any() => output::finish(Err(Fault::input(
+            "--fidelity, --runs, --live and --tour before a command are for the interactive \
+             program; a command takes its own behind its name: meshcast check --fidelity quick",
+        ))),
         Some(command) => output::finish(headless(command, root.project.as_deref(), &root.ui)),
     }
 }
@@ -140,7 +146,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
     }
 }
 
-fn open(project: Option<PathBuf>, ui: UiFlags) -> ExitCode {
+fn open(project: Option<PathBuf>, ui: UiFlags, start: StartFlags) -> ExitCode {
     if let Some(path) = &project
         && let Some(meant) = mistyped_command(path)
     {
@@ -149,7 +155,7 @@ fn open(project: Option<PathBuf>, ui: UiFlags) -> ExitCode {
             path.display().to_string()
         ))));
     }
-    interactive::interactive(project, ui)
+    interactive::interactive(project, ui, start)
 }
 
 /// The command that a missing file without an ending looks like.

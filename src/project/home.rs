@@ -1,4 +1,5 @@
-//! The user's own place: where the first project goes, which one was open last, and which before.
+//! The user's own place: where the first project goes, which one was open last, and which before,
+//! where the settings are.
 //!
 //! Everything here may fail without harm: without a home directory, or with one that cannot be
 //! written, the program starts all the same and says what it cannot keep.
@@ -12,7 +13,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Environment variable that names the data directory in place of the system's own.
+/// Environment variable that names one directory for data and settings in place of the system's own.
 pub const DATA_DIR_VARIABLE: &str = "MESHCAST_DATA_DIR";
 
 /// Most paths in the list of recent projects.
@@ -22,10 +23,12 @@ const MOST_RECENT: usize = 20;
 const SAMPLE_NAME: &str = "road-cut.ron";
 const SAMPLE: &str = include_str!("../../projects/road-cut.ron");
 
-/// The user's data directory, if there is one.
+/// The user's directories for data and settings, if there are any.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Home {
     dir: Option<PathBuf>,
+    /// Where the file of settings is.
+    config: Option<PathBuf>,
 }
 
 /// A project to start with.
@@ -49,20 +52,29 @@ impl Home {
     /// The data directory of this system, or the one that `MESHCAST_DATA_DIR` names. Nothing is made.
     pub fn find() -> Home {
         let named = std::env::var_os(DATA_DIR_VARIABLE).filter(|dir| !dir.is_empty());
-        let dir = named.map(PathBuf::from).or_else(|| {
-            directories::ProjectDirs::from("", "", "meshcast").map(|d| d.data_dir().to_path_buf())
-        });
-        Home { dir }
+        if let Some(dir) = named {
+            return Home::at(Some(PathBuf::from(dir)));
+        }
+        let dirs = directories::ProjectDirs::from("", "", "meshcast");
+        Home {
+            dir: dirs.as_ref().map(|d| d.data_dir().to_path_buf()),
+            config: dirs.as_ref().map(|d| d.config_dir().to_path_buf()),
+        }
     }
 
     /// A data directory at a place, or none; for tests.
     pub fn at(dir: Option<PathBuf>) -> Home {
-        Home { dir }
+        Home { config: dir.clone(), dir }
     }
 
     /// The data directory; it need not exist.
     pub fn data_dir(&self) -> Option<&Path> {
         self.dir.as_deref()
+    }
+
+    /// The file of settings; it need not exist.
+    pub fn settings_file(&self) -> Option<PathBuf> {
+        self.config.as_ref().map(|dir| dir.join("settings.ron"))
     }
 
     pub(super) fn owns(&self, path: &Path) -> bool {

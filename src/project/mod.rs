@@ -6,7 +6,8 @@
 //! - [`write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
 //! - `kept`: the result of a check as the file holds it.
 //! - [`wire_file`]: net and wires in a file of their own.
-//! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place.
+//! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
+//!   [`settings`]: what the user decided for all projects.
 //! - [`migrate`]: older formats. [`text`]: the reader below all this.
 
 pub mod check;
@@ -22,6 +23,7 @@ pub mod patch;
 pub mod recovery;
 pub mod save;
 pub mod schema;
+pub mod settings;
 pub mod text;
 pub mod wire_file;
 mod words;

@@ -2,6 +2,7 @@
 
 use super::program::Host;
 use crate::app::message::{SaveFailure, Saved};
+use crate::app::settings::Settings;
 use crate::project::{Document, Home, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -62,6 +63,10 @@ impl Host for FileHost {
     fn forget_recovery(&self) -> Result<(), String> {
         self.document().discard_recovery(&self.home);
         Ok(())
+    }
+
+    fn keep_settings(&self, settings: &Settings) -> Result<Option<String>, String> {
+        super::preferences::keep(&self.home, settings)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::app::look::Look;
 use crate::app::message::{Effect, Message, SaveFailure, Saved};
+use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;
 use std::path::{Path, PathBuf};
@@ -44,4 +45,10 @@ pub trait Host: Send + Sync {
 
     /// Drops the recovery file; there being none is fine.
     fn forget_recovery(&self) -> Result<(), String>;
+
+    /// Keeps the settings; says what the user should know of it, or why it cannot be done. A host
+    /// without a place for them forgets them.
+    fn keep_settings(&self, _settings: &Settings) -> Result<Option<String>, String> {
+        Ok(None)
+    }
 }

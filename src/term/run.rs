@@ -161,6 +161,9 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.redraw = true;
                 None
             }
+            Effect::KeepSettings { settings } => {
+                Some(Message::SettingsKept(self.host.keep_settings(&settings)))
+            }
             Effect::Quit => {
                 self.ending = Some(Ending::Quit);
                 None

@@ -121,7 +121,7 @@ impl Program for NotedProgram {
             Message::Resize { width, height } => {
                 note(&self.notes, format!("size {width}x{height}"));
             }
-            Message::Paste(_) | Message::Key(_) | Message::Work(_) => {}
+            Message::Paste(_) | Message::Key(_) | Message::Work(_) | Message::SettingsKept(_) => {}
         }
         Vec::new()
     }

@@ -32,6 +32,7 @@ pub mod mesh_picker;
 pub mod page;
 pub mod plan;
 pub mod ratios;
+pub mod settings;
 pub mod text;
 pub mod theme;
 pub mod warnings;
@@ -67,6 +68,7 @@ pub fn draw(app: &App, buf: &mut Buffer) {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
+        Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
             if fits(LARGE) {
                 large(app, middle, buf, &theme);

@@ -42,6 +42,7 @@ pub fn start(project: Project, size: (u16, u16), look: Look) -> App {
         look,
         units: None,
         size,
+        preferences: Default::default(),
     })
 }
 

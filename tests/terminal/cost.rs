@@ -39,6 +39,7 @@ impl Bench {
             look,
             units: None,
             size,
+            preferences: Default::default(),
         });
         let mut bench = Bench { app, painter: Painter::new(Charset::Utf8), size };
         bench.paint();

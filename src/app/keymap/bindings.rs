@@ -3,7 +3,7 @@
 use super::super::key::{Code, Key};
 use super::{Action as A, Binding, Context as C};
 
-const fn bind(
+pub(super) const fn bind(
     context: C,
     action: A,
     keys: &'static [Key],
@@ -13,10 +13,10 @@ const fn bind(
     Binding { context, action, keys, help, hint }
 }
 
-const fn p(code: Code) -> Key {
+pub(super) const fn p(code: Code) -> Key {
     Key::plain(code)
 }
-const fn c(ch: char) -> Key {
+pub(super) const fn c(ch: char) -> Key {
     Key::char(ch)
 }
 

@@ -33,4 +33,9 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "live on|off", help: "a quick check after each edit" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },
     CommandHelp { form: "help", help: "this help" },
+    CommandHelp { form: "set", help: "the settings, kept for all projects" },
+    CommandHelp {
+        form: "set fidelity quick|standard|fine",
+        help: "one of them at once; so with set units, glyphs, color, runs, live",
+    },
 ];

@@ -5,6 +5,7 @@
 
 mod bindings;
 mod commands;
+mod desk;
 
 pub use commands::{COMMANDS, CommandHelp};
 
@@ -104,6 +105,10 @@ pub enum Action {
     Fidelity,
     /// End what runs behind the screen.
     Stop,
+    /// Give the marked setting its next word.
+    NextWord,
+    /// Give the marked setting its previous word.
+    PreviousWord,
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.
@@ -121,17 +126,20 @@ pub enum Context {
     ConfirmOverwrite,
     /// The question whether to take back edits kept from a session that was cut off.
     ConfirmRecovery,
+    /// The list of settings.
+    Settings,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 6] = [
+    pub const ALL: [Context; 7] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
         Context::ConfirmQuit,
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
+        Context::Settings,
     ];
 
     /// Heading in the help.
@@ -143,6 +151,7 @@ impl Context {
             Context::ConfirmQuit => "Unsaved edits",
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
+            Context::Settings => "Settings",
         }
     }
 }
@@ -174,7 +183,7 @@ pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
 
 /// The bindings of all screens.
 pub fn all() -> impl Iterator<Item = &'static Binding> {
-    [BINDINGS].into_iter().flatten()
+    [BINDINGS, desk::BINDINGS].into_iter().flatten()
 }
 
 #[cfg(test)]

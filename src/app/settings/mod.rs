@@ -1,0 +1,257 @@
+//! The user's settings: what they are, the words that name their values, and how they are changed.
+//! Reading and writing the file is the business of [`crate::project::settings`].
+//!
+//! A flag of this run stands above the file of settings, that above the project (which only knows a
+//! unit), and that above the default.
+
+pub mod preferences;
+
+pub use preferences::Preferences;
+
+use super::look::{ColorChoice, Glyphs};
+use crate::dem::Fidelity;
+use crate::units::LengthUnit;
+
+/// Most runs of a check that can be asked for.
+pub const MOST_RUNS: usize = 10_000;
+
+/// What the user decided for all projects.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Settings {
+    /// Unit of lengths; the project's own where nothing is said.
+    pub units: Option<LengthUnit>,
+    /// Signs that charts are drawn with; what suits the terminal where nothing is said.
+    pub glyphs: Option<Glyphs>,
+    /// Colours.
+    pub color: ColorChoice,
+    /// How exactly a check computes: quick, standard or fine.
+    pub fidelity: Fidelity,
+    /// Runs of a check, 1 to [`MOST_RUNS`]; as many as needed where nothing is said.
+    pub runs: Option<usize>,
+    /// Whether a quick check follows every edit.
+    pub live: bool,
+    /// Whether the first-run tour was seen.
+    pub tour_seen: bool,
+}
+
+/// One setting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Item {
+    /// Unit of lengths.
+    Units,
+    /// Signs of charts.
+    Glyphs,
+    /// Colours.
+    Color,
+    /// How exactly a check computes.
+    Fidelity,
+    /// Runs of a check.
+    Runs,
+    /// Whether a quick check follows every edit.
+    Live,
+    /// Whether the tour was seen.
+    Tour,
+}
+
+/// Numbers of runs that the arrows step through; others can be typed.
+const STEPS: [&str; 8] = ["auto", "1", "2", "4", "8", "16", "32", "64"];
+
+impl Item {
+    /// All settings, in the order of the screen and of the file.
+    pub const ALL: [Item; 7] = [
+        Item::Units,
+        Item::Glyphs,
+        Item::Color,
+        Item::Fidelity,
+        Item::Runs,
+        Item::Live,
+        Item::Tour,
+    ];
+
+    /// The name in the file, on the command line and on the screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Item::Units => "units",
+            Item::Glyphs => "glyphs",
+            Item::Color => "color",
+            Item::Fidelity => "fidelity",
+            Item::Runs => "runs",
+            Item::Live => "live",
+            Item::Tour => "tour",
+        }
+    }
+
+    /// The setting of a name.
+    pub fn named(name: &str) -> Option<Item> {
+        let name = if name == "colour" { "color" } else { name };
+        Item::ALL.into_iter().find(|item| item.name() == name)
+    }
+
+    /// What it is, in a few words.
+    pub fn about(self) -> &'static str {
+        match self {
+            Item::Units => "lengths: as the project says, m or mm",
+            Item::Glyphs => "signs that charts are drawn with",
+            Item::Color => "colours: what the terminal takes, 16 or none",
+            Item::Fidelity => "how exactly a check by simulation computes",
+            Item::Runs => "runs of a check; auto: 8 to 64, as needed",
+            Item::Live => "a quick check follows every edit",
+            Item::Tour => "the first-run tour; :tour shows it now",
+        }
+    }
+
+    /// Its words, in the order in which the arrows go through them.
+    fn words(self) -> &'static [&'static str] {
+        match self {
+            Item::Units => &["project", "m", "mm"],
+            Item::Glyphs => &["auto", "braille", "block", "ascii"],
+            Item::Color => &["auto", "16", "none"],
+            Item::Fidelity => &["quick", "standard", "fine"],
+            Item::Runs => &STEPS,
+            Item::Live => &["off", "on"],
+            Item::Tour => &["due", "seen"],
+        }
+    }
+
+    /// What it may be, for messages.
+    pub fn allowed(self) -> String {
+        match self {
+            Item::Runs => format!("auto or 1 to {MOST_RUNS}"),
+            _ => self.words().join(", "),
+        }
+    }
+
+    /// Whether a word is one of its values.
+    pub fn takes(self, word: &str) -> bool {
+        Settings::default().set(self, word).is_ok()
+    }
+}
+
+impl Settings {
+    /// The word for a setting's value.
+    pub fn word(&self, item: Item) -> String {
+        match item {
+            Item::Units => self.units.map_or("project", LengthUnit::symbol).to_string(),
+            Item::Glyphs => self.glyphs.map_or("auto".to_string(), |g| g.to_string()),
+            Item::Color => match self.color {
+                ColorChoice::Auto => "auto",
+                ColorChoice::Basic16 => "16",
+                ColorChoice::None => "none",
+            }
+            .to_string(),
+            Item::Fidelity => self.fidelity.word().to_string(),
+            Item::Runs => self.runs.map_or("auto".to_string(), |n| n.to_string()),
+            Item::Live => if self.live { "on" } else { "off" }.to_string(),
+            Item::Tour => if self.tour_seen { "seen" } else { "due" }.to_string(),
+        }
+    }
+
+    /// Gives a setting the value of a word.
+    ///
+    /// # Errors
+    /// The words there are.
+    pub fn set(&mut self, item: Item, word: &str) -> Result<(), String> {
+        let refusal = || format!("{}: {}", item.name(), item.allowed());
+        // Runs take any number; all else takes a word of the list.
+        if item != Item::Runs && !item.words().contains(&word) {
+            return Err(refusal());
+        }
+        match item {
+            Item::Units => {
+                self.units = match word {
+                    "m" => Some(LengthUnit::Metre),
+                    "mm" => Some(LengthUnit::Millimetre),
+                    _ => None,
+                }
+            }
+            Item::Glyphs => self.glyphs = word.parse().ok(),
+            Item::Color => self.color = word.parse().map_err(|_| refusal())?,
+            Item::Fidelity => {
+                let known = Fidelity::ALL.into_iter().find(|f| f.word() == word);
+                self.fidelity = known.ok_or_else(refusal)?;
+            }
+            Item::Runs if word == "auto" => self.runs = None,
+            Item::Runs => match word.parse() {
+                Ok(n) if (1..=MOST_RUNS).contains(&n) => self.runs = Some(n),
+                _ => return Err(refusal()),
+            },
+            Item::Live => self.live = word == "on",
+            Item::Tour => self.tour_seen = word == "seen",
+        }
+        Ok(())
+    }
+
+    /// The word after or before the present one; round and round. A number of runs between two
+    /// steps goes on from where it would stand.
+    pub fn neighbour(&self, item: Item, forward: bool) -> &'static str {
+        let words = item.words();
+        let now = self.word(item);
+        let at = words.iter().position(|w| *w == now);
+        let count = words.len();
+        let next = match (at, self.runs) {
+            (Some(at), _) => (at + if forward { 1 } else { count - 1 }) % count,
+            (None, Some(runs)) => {
+                let above = words.iter().position(|w| w.parse().is_ok_and(|n: usize| n > runs));
+                match (above, forward) {
+                    (Some(above), true) => above,
+                    (Some(above), false) => above - 1,
+                    (None, true) => 0,
+                    (None, false) => count - 1,
+                }
+            }
+            (None, None) => 0,
+        };
+        words[next]
+    }
+
+    /// Every setting with its word, in the order of the file.
+    pub fn to_words(&self) -> Vec<(Item, String)> {
+        Item::ALL.into_iter().map(|item| (item, self.word(item))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_taken_and_comes_back() {
+        for item in Item::ALL {
+            assert_eq!(Item::named(item.name()), Some(item));
+            for word in item.words() {
+                let mut settings = Settings::default();
+                settings.set(item, word).unwrap();
+                assert_eq!(settings.word(item), *word);
+            }
+            assert!(!item.takes("nonsense"), "{item:?}");
+            // The default is one of the words.
+            assert!(item.words().contains(&Settings::default().word(item).as_str()));
+        }
+        for word in ["0", "10001", "-1", "1.5", ""] {
+            assert!(!Item::Runs.takes(word), "{word}");
+        }
+        assert!(Item::Runs.takes("12"));
+        assert!(!Item::Fidelity.takes("reference"));
+    }
+
+    #[test]
+    fn arrows_go_round() {
+        for item in Item::ALL {
+            let mut settings = Settings::default();
+            let start = settings.word(item);
+            for forward in [true, false] {
+                for _ in 0..item.words().len() {
+                    let next = settings.neighbour(item, forward);
+                    settings.set(item, next).unwrap();
+                }
+                assert_eq!(settings.word(item), start, "{item:?}");
+            }
+        }
+        let typed = Settings { runs: Some(12), ..Settings::default() };
+        assert_eq!(typed.neighbour(Item::Runs, true), "16");
+        assert_eq!(typed.neighbour(Item::Runs, false), "8");
+        let many = Settings { runs: Some(500), ..Settings::default() };
+        assert_eq!(many.neighbour(Item::Runs, true), "auto");
+        assert_eq!(many.neighbour(Item::Runs, false), "64");
+    }
+}

@@ -1,0 +1,53 @@
+//! The list of settings with their values and where each comes from.
+
+use super::text::{clear, cut, heading, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::app::settings::{Item, Settings};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Draws the list over the whole area.
+pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    clear(buf, area);
+    heading(buf, area, "settings, for all projects", "", theme);
+    let columns = usize::from(area.width);
+    let preferences = app.preferences();
+    let default = Settings::default();
+    for (row, item) in Item::ALL.into_iter().enumerate() {
+        let word = app.settings().word(item);
+        let from = if preferences.is_flag(item) {
+            "flag"
+        } else if word != default.word(item) {
+            "kept"
+        } else {
+            ""
+        };
+        let sign = if row == index { ">" } else { " " };
+        let text = format!(" {sign} {:<10}{word:<10}{from:<6}{}", item.name(), item.about());
+        let style = if row == index { theme.selected } else { theme.text };
+        put(buf, area, 1 + row as u16, 0, &cut(&text, columns), style);
+    }
+    let mut lines = vec![
+        "A flag of this run stands above what is kept, that above the project's own unit. \
+         What is changed here holds at once and is kept."
+            .to_string(),
+    ];
+    lines.push(match &preferences.file {
+        Some(file) => format!("File: {}", file.display()),
+        None => "There is no place for a file of settings: nothing is kept.".to_string(),
+    });
+    if let Some(trouble) = &preferences.trouble {
+        lines.push(
+            "At the start the file could not be read; the first change puts it aside:".into(),
+        );
+        lines.extend(trouble.lines().map(str::to_string));
+    }
+    let top = 2 + Item::ALL.len() as u16;
+    let width = columns.saturating_sub(4).max(10);
+    let wrapped = lines.iter().flat_map(|line| textwrap::wrap(line, width));
+    let rows = usize::from(area.height.saturating_sub(top));
+    for (row, line) in wrapped.take(rows).enumerate() {
+        put(buf, area, top + row as u16, 2, &line, theme.text);
+    }
+}
