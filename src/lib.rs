@@ -5,6 +5,7 @@
 //!
 //! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
 //!   value; whether two results have the same inputs.
+//! - [`words`]: mistyped words and the known one that was meant.
 //! - [`axis`]: round ticks for the axes of a chart, on the screen and on paper.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
@@ -37,6 +38,7 @@ pub mod study;
 pub mod term;
 pub mod ui;
 pub mod units;
+pub mod words;
 
 /// Version and commit of the program, which every result that is kept carries:
 /// `0.1.0 (abcdef123456)`.

@@ -6,7 +6,8 @@ mod source;
 use source::{SourceFile, files};
 
 /// Rooms on the ground, which everyone may use.
-const GROUND: &[&str] = &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units"];
+const GROUND: &[&str] =
+    &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units", "words"];
 
 /// Rooms from the ground up, each with the rooms it may use. A room that does not exist yet is no
 /// fault; a room that is missing here is one, because somebody has to say what it may use.
@@ -16,6 +17,7 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("fingerprint", &[]),
     ("curve", &[]),
     ("axis", &[]),
+    ("words", &[]),
     ("layout", &[&["problem", "units"]]),
     ("mesh", &[&["problem", "units"]]),
     ("forecast", &[GROUND]),
