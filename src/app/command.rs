@@ -5,7 +5,7 @@ use super::message::Effect;
 use super::{App, Mode};
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 impl App {
     /// Carries out a command.
@@ -51,6 +51,8 @@ impl App {
                 "none" => self.look.color = ColorMode::None,
                 _ => return Err("color 16 or color none".into()),
             },
+            "open" | "e" if rest.is_empty() => return Ok(self.show_picker(None)),
+            "open" | "e" => return Ok(self.ask_to_open(Path::new(rest))),
             "set" => return self.set_command(rest),
             _ => match word.parse::<usize>() {
                 Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {

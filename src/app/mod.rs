@@ -4,7 +4,8 @@
 //! - [`keymap`]: which key means what where; [`field`]: the inputs of a layout.
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
-//! - [`settings`]: what the user decided for all projects.
+//! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
+//!   by typed letters ([`fuzzy`]).
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
 pub mod command;
@@ -12,11 +13,13 @@ pub mod derived;
 pub mod edit;
 pub mod entry;
 pub mod field;
+pub mod fuzzy;
 pub mod history;
 pub mod key;
 pub mod keymap;
 pub mod look;
 pub mod message;
+pub mod open;
 pub mod pages;
 pub mod settings;
 pub mod update;
@@ -69,6 +72,13 @@ pub enum Mode {
         /// The marked one, an index of [`settings::Item::ALL`].
         index: usize,
     },
+    /// Which project to open.
+    Open(open::Picker),
+    /// Open another project with unsaved edits in this one?
+    ConfirmOpen {
+        /// The other project's file.
+        path: PathBuf,
+    },
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.
@@ -112,6 +122,7 @@ pub struct App {
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
+    open_after_save: Option<PathBuf>,
     preferences: Preferences,
     /// The settings that hold: the kept ones with the flags of this run over them.
     settings: Settings,
@@ -157,6 +168,7 @@ impl App {
             size: start.size,
             dirty: true,
             quit_after_save: false,
+            open_after_save: None,
             settings: start.preferences.effective(),
             preferences: start.preferences,
         };
@@ -248,6 +260,8 @@ impl App {
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
             Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
             Mode::Settings { .. } => Context::Settings,
+            Mode::Open(_) => Context::Open,
+            Mode::ConfirmOpen { .. } => Context::ConfirmOpen,
         })
     }
 

@@ -19,6 +19,7 @@ mod cells;
 mod error;
 mod events;
 mod files;
+mod found;
 mod guard;
 mod hangup;
 mod input;
@@ -38,7 +39,7 @@ mod tty;
 
 pub use error::TermError;
 pub use events::Mail;
-pub use files::FileHost;
+pub use files::{FileHost, kept, migrated};
 pub use guard::restore;
 pub use keys::key_from;
 pub use painter::{Charset, Meter, Painter};

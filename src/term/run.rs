@@ -126,7 +126,10 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             for effect in self.program.update(message) {
                 messages.extend(self.carry_out(effect));
             }
-            self.note_unsaved();
+            // With an answer still to come the program may speak of what is no longer there.
+            if messages.is_empty() {
+                self.note_unsaved();
+            }
         }
     }
 
@@ -152,6 +155,16 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.painter.forget();
                 self.redraw = true;
                 None
+            }
+            Effect::ListProjects => Some(Message::Projects(self.host.list())),
+            Effect::OpenProject { path } => {
+                let result = self.host.open(&path);
+                if result.is_ok() {
+                    // The host dropped the former project's recovery file; what is there now
+                    // belongs to the new one.
+                    self.rescue.note(None);
+                }
+                Some(Message::Opened(result))
             }
             Effect::KeepSettings { settings } => {
                 Some(Message::SettingsKept(self.host.keep_settings(&settings)))

@@ -122,6 +122,7 @@ impl Program for NotedProgram {
                 note(&self.notes, format!("size {width}x{height}"));
             }
             Message::Paste(_) | Message::Key(_) | Message::SettingsKept(_) => {}
+            Message::Projects(_) | Message::Opened(_) => {}
         }
         Vec::new()
     }

@@ -27,6 +27,7 @@ pub mod hint;
 pub mod inputs;
 pub mod layouts;
 pub mod mesh_picker;
+pub mod open;
 pub mod page;
 pub mod plan;
 pub mod ratios;
@@ -66,6 +67,7 @@ pub fn draw(app: &App, buf: &mut Buffer) {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
+        Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
             if fits(LARGE) {

@@ -102,6 +102,7 @@ impl Program for Toy {
             Message::Trouble(trouble) => self.say(&trouble),
             Message::Resumed => self.say("back again"),
             Message::HangUp | Message::SettingsKept(_) => {}
+            Message::Projects(_) | Message::Opened(_) => {}
         }
         Vec::new()
     }

@@ -26,6 +26,8 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "color 16|none", help: "colours" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },
     CommandHelp { form: "help", help: "this help" },
+    CommandHelp { form: "open", help: "list of recent and near projects, as O (also :e)" },
+    CommandHelp { form: "open PATH", help: "open another project" },
     CommandHelp { form: "set", help: "the settings, kept for all projects" },
     CommandHelp {
         form: "set fidelity quick|standard|fine",

@@ -99,6 +99,10 @@ pub enum Action {
     NextWord,
     /// Give the marked setting its previous word.
     PreviousWord,
+    /// Show the projects that can be opened.
+    Open,
+    /// Save, then open the other project.
+    SaveAndOpen,
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.
@@ -118,11 +122,15 @@ pub enum Context {
     ConfirmRecovery,
     /// The list of settings.
     Settings,
+    /// The list of projects to open.
+    Open,
+    /// The question before opening another project with unsaved edits.
+    ConfirmOpen,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 7] = [
+    pub const ALL: [Context; 9] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -130,6 +138,8 @@ impl Context {
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
         Context::Settings,
+        Context::Open,
+        Context::ConfirmOpen,
     ];
 
     /// Heading in the help.
@@ -142,6 +152,8 @@ impl Context {
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
             Context::Settings => "Settings",
+            Context::Open => "List of projects",
+            Context::ConfirmOpen => "Unsaved edits before opening",
         }
     }
 }
