@@ -6,6 +6,7 @@ use super::*;
 use crate::app::key::{Code, Key};
 use crate::app::look::Look;
 use crate::app::message::{SaveFailure, Saved};
+use crate::app::open::{OpenFailure, OpenedProject};
 use crate::project::Project;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
@@ -75,6 +76,12 @@ impl Host for NotedHost {
         note(&self.notes, "forget");
         Ok(())
     }
+
+    fn open(&self, path: &Path) -> Result<OpenedProject, OpenFailure> {
+        note(&self.notes, format!("open {}", path.display()));
+        let project = Arc::new(Project::starter("other"));
+        Ok(OpenedProject { project, path: path.to_path_buf(), note: None, kept: None })
+    }
 }
 
 /// Notes messages; keys ask for effects.
@@ -102,6 +109,7 @@ impl Program for NotedProgram {
                     }
                     'z' => return vec![Effect::Suspend],
                     'r' => return vec![Effect::Redraw],
+                    'o' => return vec![Effect::OpenProject { path: "other.ron".into() }],
                     'q' => return vec![Effect::Quit],
                     _ => {}
                 }
@@ -122,7 +130,11 @@ impl Program for NotedProgram {
                 note(&self.notes, format!("size {width}x{height}"));
             }
             Message::Paste(_) | Message::Key(_) | Message::SettingsKept(_) => {}
-            Message::Projects(_) | Message::Opened(_) => {}
+            Message::Opened(_) => {
+                self.unsaved = None;
+                note(&self.notes, "opened");
+            }
+            Message::Projects(_) => {}
         }
         Vec::new()
     }
@@ -304,4 +316,19 @@ fn edits_that_cannot_be_kept_are_told_once() {
     });
     let told = "trouble: unsaved edits could not be kept in the recovery file: no room";
     assert_eq!(notes, ["size 20x4", "frame", "key e", "recover edited", told]);
+}
+
+#[test]
+fn after_opening_another_project_its_recovery_file_stays() {
+    // `e` edits, `o` opens another project, whose answer lets the edits go.
+    let setting = Setting { autosave: Some(Duration::from_millis(5)), ..HEALTHY };
+    let (_, notes) = run(setting, |mail| {
+        type_keys(&mail, "e");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(150));
+            type_keys(&mail, "oq");
+        });
+    });
+    let wanted = ["size 20x4", "frame", "key e", "recover edited", "open other.ron", "opened"];
+    assert_eq!(notes, wanted);
 }
