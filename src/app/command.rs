@@ -1,8 +1,8 @@
 //! The `:` line. Its forms stand in [`super::keymap::COMMANDS`], from which the help is made.
 
+use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Effect;
-use super::{App, Mode};
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ impl App {
         };
         // A command that takes nothing must be given nothing: a slip is no reason to act.
         let plain = |allowed: &[&str]| allowed.contains(&word) && !rest.is_empty();
-        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h"]) {
+        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h", "tour"]) {
             return Err(format!("{word} takes nothing after it"));
         }
         match word {
@@ -32,7 +32,7 @@ impl App {
             "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
             "undo" => self.undo(),
             "redo" => self.redo(),
-            "help" | "h" => self.mode = Mode::Help { scroll: 0 },
+            "help" | "h" => self.toggle_help(),
             "name" | "site" => self.name_project(word, rest)?,
             "mesh" => self.set_mesh(rest)?,
             "units" => match rest {
@@ -51,6 +51,7 @@ impl App {
                 "none" => self.look.color = ColorMode::None,
                 _ => return Err("color 16 or color none".into()),
             },
+            "tour" => self.start_tour(),
             "open" | "e" if rest.is_empty() => return Ok(self.show_picker(None)),
             "open" | "e" => return Ok(self.ask_to_open(Path::new(rest))),
             "set" => return self.set_command(rest),

@@ -90,6 +90,11 @@ pub enum Effect {
         /// What to keep.
         settings: Settings,
     },
+    /// Put a text into the clipboard of the terminal, if it takes that.
+    Copy {
+        /// The text.
+        text: String,
+    },
     /// Look for project files, and answer with [`Message::Projects`].
     ListProjects,
     /// Open a project in place of this one, and answer with [`Message::Opened`]. Unsaved edits of

@@ -60,6 +60,11 @@ impl App {
     fn key(&mut self, key: Key) -> Vec<Effect> {
         self.status = None;
         if let Mode::Entry(entry) = &mut self.mode {
+            // A question mark is text here.
+            if key == Key::plain(Code::F(1)) {
+                self.toggle_help();
+                return Vec::new();
+            }
             return match entry.key(key) {
                 Outcome::Typing => Vec::new(),
                 Outcome::Drop => {
@@ -136,7 +141,7 @@ impl App {
             Action::Save => return vec![self.save_effect(None, false)],
             Action::Command => self.mode = Mode::Entry(Entry::new(Target::Command, "")),
             Action::Details => self.mode = Mode::Details { scroll: 0 },
-            Action::Help => self.mode = Mode::Help { scroll: 0 },
+            Action::Help => self.toggle_help(),
             Action::Suspend => return vec![Effect::Suspend],
             Action::Redraw => return vec![Effect::Redraw],
             Action::Quit => return self.ask_to_quit(),
@@ -150,6 +155,8 @@ impl App {
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
                 return vec![Effect::Quit];
             }
+            Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
+            Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
             Action::Close => self.mode = Mode::Main,
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
@@ -157,6 +164,11 @@ impl App {
             Action::Restore => self.restore(),
             Action::Open => return self.show_picker(None),
             Action::SaveAndOpen => return self.save_and_open(),
+            Action::CopyAnswer => return self.copy_answer(),
+            Action::CopyTable => return self.copy_table(),
+            Action::CopyPage => return self.copy_page(),
+            Action::NextStop => return self.next_stop(),
+            Action::PreviousStop => self.previous_stop(),
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
         }

@@ -59,7 +59,11 @@ fn run(
     let (preferences, bad_settings) = preferences(&home, &surroundings, flags);
     let settings = preferences.effective();
     let charset = surroundings.charset(settings.glyphs);
-    let session = Session::open(Options { charset, ..Options::default() })?;
+    let session = Session::open(Options {
+        charset,
+        clipboard: surroundings.clipboard(),
+        ..Options::default()
+    })?;
     if let Some(path) = document.path() {
         // Not being able to remember the file is no reason not to open it.
         let _ = home.remember(path);

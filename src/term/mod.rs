@@ -16,6 +16,7 @@
 
 pub mod capabilities;
 mod cells;
+mod clipboard;
 mod error;
 mod events;
 mod files;

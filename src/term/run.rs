@@ -1,5 +1,6 @@
 //! The loop: waits on the channel, updates the state, carries out effects, draws what changed.
 
+use super::clipboard;
 use super::events::Event;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
@@ -45,6 +46,8 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) rescue: Arc<Rescue>,
     pub(super) events: Receiver<Event>,
     pub(super) painter: Painter,
+    /// Whether the terminal may be sent what is to be copied.
+    pub(super) clipboard: bool,
     /// How long edits may stay out of the recovery file; `None` leaves it to the program.
     pub(super) autosave: Option<Duration>,
     pub(super) size: (u16, u16),
@@ -156,6 +159,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.redraw = true;
                 None
             }
+            Effect::Copy { text } => self.copy(&text),
             Effect::ListProjects => Some(Message::Projects(self.host.list())),
             Effect::OpenProject { path } => {
                 let result = self.host.open(&path);
@@ -173,6 +177,23 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.ending = Some(Ending::Quit);
                 None
             }
+        }
+    }
+
+    /// Sends a text to the terminal's clipboard. The painter need not know: nothing on the screen
+    /// changes and the cursor stays.
+    fn copy(&mut self, text: &str) -> Option<Message> {
+        if !self.clipboard {
+            return Some(Message::Trouble("this kind of terminal has no clipboard".to_owned()));
+        }
+        match clipboard::copy(text) {
+            Ok(bytes) => {
+                if self.stage.write(&bytes).is_err() {
+                    self.hang_up();
+                }
+                None
+            }
+            Err(why) => Some(Message::Trouble(why)),
         }
     }
 

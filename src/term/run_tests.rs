@@ -32,11 +32,12 @@ impl Stage for NotedStage {
         self.size
     }
 
-    fn write(&mut self, _bytes: &[u8]) -> io::Result<()> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.broken {
             return Err(io::ErrorKind::BrokenPipe.into());
         }
-        note(&self.notes, "frame");
+        let copied = bytes.starts_with(b"\x1b]52");
+        note(&self.notes, if copied { "copied" } else { "frame" });
         Ok(())
     }
 
@@ -109,6 +110,7 @@ impl Program for NotedProgram {
                     }
                     'z' => return vec![Effect::Suspend],
                     'r' => return vec![Effect::Redraw],
+                    'y' => return vec![Effect::Copy { text: "22.8 kN".to_owned() }],
                     'o' => return vec![Effect::OpenProject { path: "other.ron".into() }],
                     'q' => return vec![Effect::Quit],
                     _ => {}
@@ -187,6 +189,7 @@ fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
         host,
         events,
         painter: Painter::new(Charset::Utf8),
+        clipboard: setting.can_stop,
         autosave: setting.autosave,
         size: (0, 0),
         unkept_since: None,
@@ -331,4 +334,13 @@ fn after_opening_another_project_its_recovery_file_stays() {
     });
     let wanted = ["size 20x4", "frame", "key e", "recover edited", "open other.ron", "opened"];
     assert_eq!(notes, wanted);
+}
+
+#[test]
+fn a_copy_is_sent_at_once_and_draws_nothing() {
+    let (_, notes) = run(HEALTHY, keys("yq"));
+    assert_eq!(notes, ["size 20x4", "frame", "copied"]);
+    // A terminal that would show the bytes gets none.
+    let (_, notes) = run(Setting { can_stop: false, ..HEALTHY }, keys("yq"));
+    assert_eq!(notes, ["size 20x4", "frame", "trouble: this kind of terminal has no clipboard"]);
 }

@@ -34,6 +34,7 @@ pub mod ratios;
 pub mod settings;
 pub mod text;
 pub mod theme;
+pub mod tour;
 pub mod warnings;
 
 use crate::app::{App, Mode};
@@ -79,6 +80,9 @@ pub fn draw(app: &App, buf: &mut Buffer) {
             }
             if let Some(context) = app.context() {
                 confirm::draw(context, middle, buf, &theme);
+            }
+            if let Mode::Tour { stop } = app.mode() {
+                tour::draw(*stop, middle, buf, &theme);
             }
         }
     }

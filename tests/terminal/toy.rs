@@ -54,6 +54,7 @@ fn child() {
     let options = Options {
         charset: surroundings.charset(None),
         autosave: autosave.map(Duration::from_millis),
+        ..Options::default()
     };
     let session = Session::open(options).unwrap();
     let mut toy = Toy {

@@ -28,6 +28,7 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "help", help: "this help" },
     CommandHelp { form: "open", help: "list of recent and near projects, as O (also :e)" },
     CommandHelp { form: "open PATH", help: "open another project" },
+    CommandHelp { form: "tour", help: "the tour of the first run" },
     CommandHelp { form: "set", help: "the settings, kept for all projects" },
     CommandHelp {
         form: "set fidelity quick|standard|fine",

@@ -93,4 +93,53 @@ pub(super) const BINDINGS: &[Binding] = &[
     ),
     bind(C::ConfirmOpen, A::Redraw, &[Key::ctrl('l')], "draw the screen anew", None),
     bind(C::ConfirmOpen, A::Suspend, &[Key::ctrl('z')], "suspend", None),
+    bind(
+        C::Main,
+        A::CopyAnswer,
+        &[c('y')],
+        "copy this layout's answer, where the terminal takes OSC 52",
+        Some("copy"),
+    ),
+    bind(
+        C::Main,
+        A::CopyTable,
+        &[c('Y')],
+        "copy the table of all layouts, tabs between columns",
+        None,
+    ),
+    bind(C::Pager, A::CopyPage, &[c('y'), c('Y')], "copy the page", Some("copy")),
+    bind(
+        C::Tour,
+        A::NextStop,
+        &[p(Code::Enter), c(' '), p(Code::Right)],
+        "the next screen; after the last the work begins",
+        Some("next"),
+    ),
+    bind(C::Tour, A::PreviousStop, &[p(Code::Left), p(Code::Backspace)], "back", Some("back")),
+    bind(
+        C::Tour,
+        A::Close,
+        &[c('q'), p(Code::Esc), Key::ctrl('g'), Key::ctrl('c')],
+        "end the tour; :tour shows it again",
+        Some("end"),
+    ),
+    bind(C::Tour, A::Redraw, &[Key::ctrl('l')], "draw the screen anew", None),
+    bind(C::Tour, A::Suspend, &[Key::ctrl('z')], "suspend", None),
+    // Help is the same key everywhere; what lies under it comes back.
+    help(C::Pager),
+    help(C::MeshPicker),
+    help(C::ConfirmQuit),
+    help(C::ConfirmOverwrite),
+    help(C::ConfirmRecovery),
+    help(C::Settings),
+    help(C::Open),
+    help(C::ConfirmOpen),
+    help(C::Tour),
 ];
+
+/// The keys of the help.
+const HELP: &[Key] = &[c('?'), p(Code::F(1))];
+
+const fn help(context: C) -> Binding {
+    bind(context, A::Help, HELP, "help, and back to here", Some("help"))
+}
