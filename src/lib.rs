@@ -5,6 +5,7 @@
 //!
 //! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
 //!   value; whether two results have the same inputs.
+//! - [`words`]: mistyped words and the known one that was meant.
 //! - [`axis`]: round ticks for the axes of a chart, on the screen and on paper.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
@@ -12,6 +13,7 @@
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
 //! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles,
 //!   calibration, run time against error.
+//! - [`job`]: work behind the screen: one worker, one waiting slot, progress, cancelling.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
 //! - [`app`]: the state of the interactive program; no input or output.
@@ -27,6 +29,7 @@ pub mod dem;
 pub mod export;
 pub mod fingerprint;
 pub mod forecast;
+pub mod job;
 pub mod layout;
 pub mod mesh;
 pub mod problem;
@@ -35,6 +38,7 @@ pub mod study;
 pub mod term;
 pub mod ui;
 pub mod units;
+pub mod words;
 
 /// Version and commit of the program, which every result that is kept carries:
 /// `0.1.0 (abcdef123456)`.

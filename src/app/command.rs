@@ -3,6 +3,7 @@
 use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Effect;
+use super::settings::Item;
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,18 @@ impl App {
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
             "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "check" => match rest {
+                "" => return Ok(self.start_check(false)),
+                "all" => return Ok(self.start_check(true)),
+                _ => return Err("check, or check all".into()),
+            },
+            "fidelity" => return self.set_setting(Item::Fidelity, rest),
+            "runs" => return self.set_setting(Item::Runs, rest),
+            "live" => match rest {
+                "on" | "off" if (rest == "on") == self.live() => {}
+                "on" | "off" => return Ok(self.toggle_live()),
+                _ => return Err("live on or live off".into()),
+            },
             "undo" => self.undo(),
             "redo" => self.redo(),
             "help" | "h" => self.toggle_help(),

@@ -55,7 +55,7 @@ pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
     }
     page.heading("Signs");
     page.text("  ! beside a number: something to know about it; i says what", 2);
-    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
+    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. o: mean first break of the check by simulation, with its curve in dashes and its 5 to 95 % band in dots; x in the plan: where the first wire of each run broke, and lines of equal height of the net at 20, 40, 60 and 80 % of its largest. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
     page.heading("The method");
     method(&mut page);
     page.lines

@@ -4,6 +4,7 @@
 use super::key::Key;
 use super::open::{Found, OpenFailure, OpenedProject};
 use super::settings::Settings;
+use crate::job::{News, Order};
 use crate::project::Project;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -28,6 +29,8 @@ pub enum Message {
     Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.
     HangUp,
+    /// News of work behind the screen.
+    Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
     Resumed,
     /// Settings were kept, with what the user should know of it, or could not be, and why.
@@ -79,6 +82,10 @@ pub enum Effect {
     },
     /// Drop the recovery file: everything is saved or the user let the edits go.
     ForgetRecovery,
+    /// Do this behind the screen; its news come as [`Message::Work`].
+    Work(Order),
+    /// End what runs behind the screen.
+    StopWork,
     /// Give the terminal back and stop until continued.
     Suspend,
     /// Draw the whole screen anew.

@@ -4,10 +4,12 @@
 //! - [`keymap`]: which key means what where; [`field`]: the inputs of a layout.
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
+//! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
 //! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
 //!   by typed letters ([`fuzzy`]); [`copy`]: what goes to the clipboard; [`tour`]: the first run.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
+pub mod checks;
 pub mod command;
 pub mod copy;
 pub mod derived;
@@ -29,6 +31,7 @@ pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
 use crate::units::LengthUnit;
+use checks::Work;
 use derived::Derived;
 use entry::Entry;
 use field::Field;
@@ -152,6 +155,7 @@ pub struct App {
     open_after_save: Option<PathBuf>,
     /// What the help lies over; it comes back when the help is closed.
     under_help: Box<Mode>,
+    work: Work,
     preferences: Preferences,
     /// The settings that hold: the kept ones with the flags of this run over them.
     settings: Settings,
@@ -199,6 +203,7 @@ impl App {
             quit_after_save: false,
             open_after_save: None,
             under_help: Box::new(Mode::Main),
+            work: Work::default(),
             settings: start.preferences.effective(),
             preferences: start.preferences,
         };
@@ -352,7 +357,7 @@ impl App {
     }
 
     fn go_to(&mut self, step: Step) {
-        self.project = step.project;
+        self.project = self.with_checks(step.project);
         self.selected = step.selected;
         self.field = step.field;
         self.derive();

@@ -13,6 +13,12 @@ impl App {
     /// Takes a message; returns what is to be done.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
         self.dirty = true;
+        let mut effects = self.take(message);
+        effects.extend(self.follow_edit());
+        effects
+    }
+
+    fn take(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(key) => self.key(key),
             Message::Paste(text) => {
@@ -35,6 +41,10 @@ impl App {
                 }
                 effects.push(Effect::Quit);
                 effects
+            }
+            Message::Work(news) => {
+                self.news(news);
+                Vec::new()
             }
             Message::Resumed => vec![Effect::Redraw],
             Message::Projects(found) => {
@@ -169,6 +179,11 @@ impl App {
             Action::CopyPage => return self.copy_page(),
             Action::NextStop => return self.next_stop(),
             Action::PreviousStop => self.previous_stop(),
+            Action::Check => return self.start_check(false),
+            Action::CheckAll => return self.start_check(true),
+            Action::Live => return self.toggle_live(),
+            Action::Fidelity => return self.next_fidelity(),
+            Action::Stop => return self.stop_work(),
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
         }

@@ -1,7 +1,6 @@
 //! One layout to forecast: from a project file or the defaults, with the flags above both.
 
 use super::UiFlags;
-use super::nearest::nearest;
 use super::output::Fault;
 use super::quantity;
 use crate::forecast::design::Question;
@@ -12,6 +11,7 @@ use crate::project::{self, NamedLayout, Project};
 use crate::study;
 use crate::study::case::Input;
 use crate::units::LengthUnit;
+use crate::words::nearest;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};

@@ -3,7 +3,8 @@
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
 //! - [`forecast`], [`check`], [`calibrate`], [`bench`], [`mesh`], [`new`], [`validate`], [`export`],
 //!   [`report`]: the subcommands; [`interactive`]: none of them.
-//! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies.
+//! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
+//!   forecasts of the first three.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
 //! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
 //!   [`wire`]: the wires of a check.
@@ -17,6 +18,7 @@ pub mod calibrate;
 pub mod case;
 pub mod check;
 pub mod compare;
+pub mod dem;
 pub mod design;
 pub mod destination;
 pub mod export;
@@ -24,7 +26,6 @@ pub mod flags;
 pub mod forecast;
 pub mod interactive;
 pub mod mesh;
-mod nearest;
 pub mod new;
 pub mod output;
 mod page;
@@ -41,6 +42,7 @@ pub mod wire;
 pub use crate::VERSION;
 pub use flags::{StartFlags, UiFlags};
 
+use crate::words::nearest;
 use clap::{CommandFactory, Parser, Subcommand};
 use output::{Fault, Outcome};
 use std::ffi::OsString;
@@ -57,6 +59,7 @@ Examples:
   meshcast forecast road-cut.ron --layout 'bench 2' --format csv > curve.csv
   meshcast compare road-cut.ron --sort utilisation --descending
   meshcast sensitivity road-cut.ron --layout portal
+  meshcast sensitivity -L 2.5 --dem              the same by discrete elements beside it
   meshcast sweep -d 0.25 --vary L --from 2 --to 4.5 --steps 11
   meshcast sweep --vary L --from 2 --to 4 --vary2 D --from2 0.4 --to2 1.6
   meshcast design -d 0.25 --force 20 --gamma-load 1.3 --solve L
@@ -166,7 +169,7 @@ fn mistyped_command(path: &Path) -> Option<String> {
     }
     let root = Root::command();
     let names: Vec<&str> = root.get_subcommands().map(|c| c.get_name()).collect();
-    nearest::nearest(text, &names).map(str::to_string)
+    nearest(text, &names).map(str::to_string)
 }
 
 /// The help that stands in for the interactive program where there is no terminal.

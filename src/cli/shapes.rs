@@ -1,8 +1,10 @@
 //! Parts of JSON results that several commands share, by the names that `forecast` gave them: SI with
 //! kN.
 
-use super::output::{Fault, list, number, optional};
+use super::VERSION;
+use super::output::{list, number, optional};
 use crate::curve::{Curve, Point};
+use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::{Answer, Question};
 use crate::forecast::warning::Warning;
@@ -10,6 +12,20 @@ use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::units::{to_kj, to_kn};
 use serde::Serialize;
+
+/// How the result of a layout begins. To be flattened.
+#[derive(Debug, Serialize)]
+pub struct Head<'a> {
+    /// Its name, in the list of a project.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub layout: Option<&'a str>,
+    /// Version of the program.
+    pub version: &'static str,
+    /// Of all that the result was made from.
+    pub fingerprint: String,
+    /// The layout with its mesh.
+    pub inputs: InputsJson<'a>,
+}
 
 /// The inputs of a layout.
 #[derive(Debug, Serialize)]
@@ -98,6 +114,13 @@ pub fn pair(values: Values) -> Pair {
     Pair { F_kN: to_kn(values.force), delta_m: values.deflection }
 }
 
+impl<'a> Head<'a> {
+    /// Of a layout's name, where it has one, a fingerprint and the inputs.
+    pub fn of(name: Option<&'a str>, fingerprint: Fingerprint, inputs: InputsJson<'a>) -> Head<'a> {
+        Head { layout: name, version: VERSION, fingerprint: fingerprint.to_string(), inputs }
+    }
+}
+
 impl<'a> InputsJson<'a> {
     /// Of a layout with its mesh.
     pub fn of(layout: &Layout, mesh: &'a MeshType, rule: BranchRule) -> InputsJson<'a> {
@@ -146,19 +169,6 @@ impl Design {
             }),
         }
     }
-}
-
-/// The lines of objects as one object, or as a list with one line each.
-pub fn objects(
-    lines: impl Iterator<Item = Result<String, Fault>>,
-    several: bool,
-) -> Result<String, Fault> {
-    let lines = lines.collect::<Result<Vec<String>, Fault>>()?;
-    Ok(match lines.as_slice() {
-        [one] if !several => format!("{one}\n"),
-        [] => "[]\n".to_string(),
-        all => format!("[\n{}\n]\n", all.join(",\n")),
-    })
 }
 
 impl From<Point> for Pair {

@@ -4,14 +4,13 @@
 //! now and then and one at the end.
 
 use super::output::say;
-use crate::dem::{Flow, Progress};
+use crate::dem::Flow;
+use crate::job::pace::{Pace, duration};
 use crate::study::clock::wall_seconds;
 use crate::study::ensemble::EnsembleProgress;
-use std::collections::HashMap;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
-use std::thread::{self, ThreadId};
 
 /// Columns of the line on a terminal.
 const WIDTH: usize = 78;
@@ -26,16 +25,10 @@ pub struct Watch {
 
 #[derive(Default)]
 struct State {
-    /// What is being made, and which part of how many.
+    /// What is being made.
     label: String,
-    part: usize,
-    parts: usize,
-    /// Punch displacement at which a run of this part is expected to end, m.
-    end: f64,
-    /// Of each run of this part, how much is done, 0 to 1.
-    runs: Vec<f64>,
-    /// The run each thread is at, and its punch displacement.
-    threads: HashMap<ThreadId, (usize, f64)>,
+    /// How much of it is done.
+    pace: Pace,
     /// When something was said last, s; nothing yet if missing.
     said: Option<f64>,
 }
@@ -63,9 +56,7 @@ impl Watch {
     pub fn begin(&self, label: &str, part: usize, parts: usize, end: f64) {
         let mut state = self.lock();
         state.label = label.to_string();
-        (state.part, state.parts, state.end) = (part, parts.max(1), end.max(0.01));
-        state.runs.clear();
-        state.threads.clear();
+        state.pace.begin(part, parts, end);
     }
 
     /// The same, if this part has not begun yet.
@@ -82,7 +73,7 @@ impl Watch {
             return Flow::Cancel;
         }
         let mut state = self.lock();
-        state.take(now.run, now.planned, &now.inner);
+        state.pace.take(now.run, now.planned, &now.inner);
         let time = wall_seconds();
         // A first word after a second, then often on a terminal and seldom elsewhere.
         let due = match (state.said, self.terminal) {
@@ -126,53 +117,14 @@ impl Watch {
 }
 
 impl State {
-    fn take(&mut self, run: usize, planned: usize, inner: &Progress) {
-        if self.runs.len() < planned {
-            self.runs.resize(planned, 0.0);
-        }
-        let thread = thread::current().id();
-        if let Some((before, reached)) = self.threads.insert(thread, (run, inner.deflection))
-            && (before != run || reached > inner.deflection)
-        {
-            // That run is over; the next ones will end about where it did.
-            self.end = reached.max(0.01);
-            if let Some(done) = self.runs.get_mut(before) {
-                *done = 1.0;
-            }
-        }
-        let part = (inner.deflection / self.end).min(0.99);
-        if let Some(done) = self.runs.get_mut(run) {
-            *done = done.max(part);
-        }
-    }
-
-    /// How much of everything is done, 0 to 1.
-    fn fraction(&self) -> f64 {
-        let here = self.runs.iter().sum::<f64>() / self.runs.len().max(1) as f64;
-        (self.part as f64 + here) / self.parts.max(1) as f64
-    }
-
     fn line(&self, elapsed: f64, run: usize, planned: usize) -> String {
-        let fraction = self.fraction().clamp(1.0e-4, 1.0);
-        let left = elapsed * (1.0 - fraction) / fraction;
         format!(
             "{}: run {} of {planned}, {:.0} %, about {} left",
             self.label,
             run.min(planned),
-            100.0 * fraction,
-            duration(left)
+            100.0 * self.pace.fraction().clamp(1.0e-4, 1.0),
+            duration(self.pace.left(elapsed))
         )
-    }
-}
-
-/// A time as people say it: `8 s`, `3 min`, `2.5 h`.
-fn duration(seconds: f64) -> String {
-    if seconds < 99.5 {
-        format!("{seconds:.0} s")
-    } else if seconds < 99.5 * 60.0 {
-        format!("{:.0} min", seconds / 60.0)
-    } else {
-        format!("{:.1} h", seconds / 3600.0)
     }
 }
 
@@ -194,20 +146,19 @@ fn listen(_cancel: &Arc<AtomicBool>) {}
 mod tests {
     use super::*;
 
-    fn at(deflection: f64) -> Progress {
-        Progress { deflection, force: 0.0, utilisation: 0.0, limit: 1.8, steps: 0, broken: false }
-    }
-
     #[test]
-    fn the_time_left_follows_what_is_done() {
-        let mut state = State { parts: 2, end: 0.5, ..State::default() };
-        state.take(0, 4, &at(0.25));
-        // Half of the first of four runs of the first of two parts: 1/16.
-        assert!((state.fraction() - 1.0 / 16.0).abs() < 1e-12);
-        assert_eq!(state.line(2.0, 1, 4), ": run 1 of 4, 6 %, about 30 s left");
-        // The first ends where it is when the second begins, and so will the others.
-        state.take(1, 4, &at(0.125));
-        assert!((state.fraction() - 1.5 / 8.0).abs() < 1e-12);
-        assert_eq!(duration(600.0), "10 min");
+    fn the_line_says_run_part_and_time_left() {
+        let mut state = State { label: "check".into(), ..State::default() };
+        state.pace.begin(0, 2, 0.5);
+        let at = crate::dem::Progress {
+            deflection: 0.25,
+            force: 0.0,
+            utilisation: 0.0,
+            limit: 1.8,
+            steps: 0,
+            broken: false,
+        };
+        state.pace.take(0, 4, &at);
+        assert_eq!(state.line(2.0, 1, 4), "check: run 1 of 4, 6 %, about 30 s left");
     }
 }

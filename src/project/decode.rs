@@ -2,7 +2,7 @@
 
 use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
 use super::text::{Group, Kind, Node, Shape};
-use super::{inline_mesh, words};
+use super::{inline_mesh, kept, words};
 use crate::layout::BranchRule;
 use crate::problem::Problem;
 use crate::units::{self, LengthUnit, Quantity};
@@ -28,6 +28,7 @@ pub const LAYOUT_FIELDS: &[&str] = &[
     "gamma_load",
     "overlay",
     "note",
+    "check",
 ];
 /// Fields of the display preferences.
 pub const DISPLAY_FIELDS: &[&str] = &["length_unit"];
@@ -156,6 +157,11 @@ impl<'t> Decoder<'t> {
         let plate = self.number(&f, "d", Quantity::Length);
         let spacing = self.number(&f, "L", Quantity::Length);
         let punch = self.number(&f, "D", Quantity::Length);
+        let check = self.optional(&f, "check").and_then(|node| {
+            kept::read(self.text, node.unwrapped(), &f.path("check"))
+                .map_err(|found| self.found.push(found))
+                .ok()
+        });
         Some(NamedLayout {
             uid: fresh_uid(),
             ex: self.number(&f, "ex", Quantity::Length).unwrap_or(0.0),
@@ -168,6 +174,7 @@ impl<'t> Decoder<'t> {
             gamma_load: self.number(&f, "gamma_load", Quantity::Number).unwrap_or(1.0),
             overlay: self.word(&f, "overlay", &[("true", true), ("false", false)]).unwrap_or(false),
             note: self.text(&f, "note").unwrap_or_default(),
+            check: check.map(Arc::new),
             // A missing one is reported above, so the layout is read on only to find more.
             name: name?,
             plate: plate?,

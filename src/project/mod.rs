@@ -4,6 +4,7 @@
 //! - [`load()`], [`parse`]: file to project; [`error`]: what is said when that fails.
 //! - [`document`]: an open file; [`save`]: back to disk.
 //! - [`write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
+//! - `kept`: the result of a check as the file holds it.
 //! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
@@ -15,6 +16,7 @@ pub mod document;
 pub mod error;
 pub mod home;
 mod inline_mesh;
+mod kept;
 pub mod load;
 pub mod migrate;
 pub mod patch;

@@ -2,6 +2,7 @@
 
 use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{self, MeshType, catalogue};
+use crate::study::verdict::Verdict;
 use crate::units::LengthUnit;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -91,6 +92,8 @@ pub struct NamedLayout {
     pub overlay: bool,
     /// Free text; may be empty.
     pub note: String,
+    /// The last check that the user asked for, whether or not its inputs are still the layout's.
+    pub check: Option<Arc<Verdict>>,
 }
 
 /// Most layouts whose curves are overlaid.
@@ -128,6 +131,7 @@ impl PartialEq for NamedLayout {
             && self.gamma_load == other.gamma_load
             && self.overlay == other.overlay
             && self.note == other.note
+            && self.check == other.check
     }
 }
 
@@ -150,6 +154,7 @@ impl NamedLayout {
             gamma_load: 1.0,
             overlay: false,
             note: String::new(),
+            check: None,
         }
     }
 

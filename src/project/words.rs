@@ -4,6 +4,7 @@ use super::schema::{FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE};
 use crate::layout::LARGEST_LENGTH;
 use crate::problem::Problem;
 use crate::units::{Quantity, to_kn};
+use crate::words::distance;
 
 /// Longest piece of a file that is shown in a message, in characters.
 const LONGEST_SHOWN: usize = 40;
@@ -55,7 +56,8 @@ const ALSO_CALLED: &[(&str, &str)] = &[
 
 /// The known name that was most likely meant, if one is near.
 pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
-    let lower = written.to_lowercase();
+    // Words longer than any field name are far enough.
+    let lower: String = written.to_lowercase().chars().take(64).collect();
     let itself = known.iter().map(|k| (*k, *k));
     let other = ALSO_CALLED
         .iter()
@@ -66,23 +68,6 @@ pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
         .filter(|(steps, called, _)| *steps <= called.len().min(6) / 2)
         .min_by_key(|(steps, ..)| *steps)
         .map(|(.., name)| name)
-}
-
-/// How many letters must be put in, taken out or changed to get from one word to the other.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    // Words longer than any field name are far enough.
-    for (i, x) in a.chars().take(64).enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let changed = corner + usize::from(x != *y);
-            corner = row[j + 1];
-            row[j + 1] = changed.min(corner + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// A field that is not known at its place.

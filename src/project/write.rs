@@ -1,6 +1,7 @@
 //! Project to text: the clean form that a new file has, with what each value means beside it.
 
 use super::inline_mesh;
+use super::kept;
 use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
 use crate::layout::BranchRule;
@@ -68,6 +69,7 @@ const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, 
     //   gamma_resistance, gamma_load  partial factors, 0.5 to 5, default 1
     //   overlay true draws the curve over the current one, up to four
     //   note    free text
+    //   check   result of the last check, written by meshcast; may be taken out
 ";
 
 /// The text of a new project with one layout at the published reference point, with comments that
@@ -157,6 +159,7 @@ pub fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<
         "gamma_load" => unless_default(l.gamma_load, 1.0, Scale::Number),
         "overlay" => l.overlay.then(|| "true".to_string()),
         "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),
+        "check" => l.check.as_ref().map(|verdict| kept::write(verdict)),
         _ => None,
     }
 }

@@ -13,6 +13,8 @@
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
 //!   the fingerprint of what one was made from.
 //! - [`verdict`]: what a check leaves behind, and how one is made of a layout.
+//! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
+//!   comparison.
 //! - [`bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
@@ -20,6 +22,7 @@
 pub mod bench;
 pub mod calibrate;
 pub mod case;
+pub mod checks;
 pub mod clock;
 pub mod compare;
 pub mod convergence;

@@ -8,7 +8,7 @@
 //! keys    -> input   --+
 //! signals -> signals --+--> channel --> update --> effects --> Host (files)
 //! hang-up -> hangup  --+                  |
-//! worker  -> Mail    --+                draw --> Painter --> one write of what changed
+//! worker  -> workshop -+                draw --> Painter --> one write of what changed
 //! ```
 //!
 //! Drawing happens only when the state says it changed, and writes only the cells that differ: when
@@ -37,6 +37,7 @@ mod signals;
 mod state;
 mod travel;
 mod tty;
+mod workshop;
 
 pub use error::TermError;
 pub use events::Mail;

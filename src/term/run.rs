@@ -5,6 +5,7 @@ use super::events::Event;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
+use super::workshop::Workshop;
 use crate::app::message::{Effect, Message};
 use std::collections::VecDeque;
 use std::io;
@@ -45,6 +46,7 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) host: Arc<dyn Host>,
     pub(super) rescue: Arc<Rescue>,
     pub(super) events: Receiver<Event>,
+    pub(super) workshop: Workshop,
     pub(super) painter: Painter,
     /// Whether the terminal may be sent what is to be copied.
     pub(super) clipboard: bool,
@@ -136,8 +138,9 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         }
     }
 
-    fn carry_out(&mut self, effect: Effect) -> Option<Message> {
-        match effect {
+    /// Does what was asked for; returns what is to be told of it at once.
+    fn carry_out(&mut self, effect: Effect) -> Vec<Message> {
+        let message = match effect {
             Effect::Save { project, path, overwrite } => {
                 Some(Message::Saved(self.host.save(&project, path.as_deref(), overwrite)))
             }
@@ -152,6 +155,11 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             Effect::ForgetRecovery => self.forget_recovery(),
             Effect::Suspend => {
                 self.suspend(true);
+                None
+            }
+            Effect::Work(order) => return self.workshop.order(order),
+            Effect::StopWork => {
+                self.workshop.stop();
                 None
             }
             Effect::Redraw => {
@@ -177,7 +185,8 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.ending = Some(Ending::Quit);
                 None
             }
-        }
+        };
+        message.into_iter().collect()
     }
 
     /// Sends a text to the terminal's clipboard. The painter need not know: nothing on the screen

@@ -131,7 +131,7 @@ impl Program for NotedProgram {
             Message::Resize { width, height } => {
                 note(&self.notes, format!("size {width}x{height}"));
             }
-            Message::Paste(_) | Message::Key(_) | Message::SettingsKept(_) => {}
+            Message::Paste(_) | Message::Key(_) | Message::Work(_) | Message::SettingsKept(_) => {}
             Message::Opened(_) => {
                 self.unsaved = None;
                 note(&self.notes, "opened");
@@ -178,6 +178,7 @@ fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
     let mut program =
         NotedProgram { notes: Arc::clone(&notes), count: 0, dirty: true, unsaved: None };
     let (ending, _) = Loop {
+        workshop: Workshop::none(),
         program: &mut program,
         stage: NotedStage {
             notes: Arc::clone(&notes),

@@ -9,6 +9,7 @@ use super::program::{Host, Program};
 use super::rescue::Rescue;
 use super::run::{Ending, Loop, Stage};
 use super::signals::suspend;
+use super::workshop::Workshop;
 use super::{hangup, input, signals, tty};
 use std::io::{self, IsTerminal};
 use std::sync::Arc;
@@ -73,13 +74,14 @@ impl Session {
         let hook = Hook::install(mail.clone(), Arc::clone(&rescue));
         let guard = Guard::take().map_err(TermError::Setup)?;
         hangup::start(mail.clone()).map_err(TermError::Setup)?;
-        input::start(mail).map_err(TermError::Setup)?;
+        input::start(mail.clone()).map_err(TermError::Setup)?;
         let (ending, _meter) = Loop {
             program,
             stage: Tty,
             host,
             rescue: Arc::clone(&rescue),
             events,
+            workshop: Workshop::open(mail),
             painter: Painter::new(options.charset),
             clipboard: options.clipboard,
             autosave: options.autosave,

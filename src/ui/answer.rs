@@ -1,5 +1,6 @@
 //! The answer: force, deflection, branch, design, anchor force, the first warnings.
 
+use super::check;
 use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
@@ -68,6 +69,7 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         ),
         theme.forecast,
     )];
+    lines.extend(check::lines(app, theme));
     lines.extend(design_lines(app, theme));
     let branch = match field.branch {
         crate::forecast::field::Branch::SmallPunch => "small punch",

@@ -1,6 +1,7 @@
 //! The chart: forecast curve with its failure point, overlays, laboratory test, design lines.
 
 use super::canvas::{Canvas, Pattern, Pen};
+use super::check;
 use super::text::{put, put_right, width};
 use super::theme::Theme;
 use crate::app::App;
@@ -58,6 +59,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         };
         canvas.line(scale.dots(&rescaled(*values, POINTS), &canvas), pen);
     }
+    check::curves(app, &scale, &mut canvas, theme);
     let field = field_values(app.result());
     if let Some(values) = field {
         let pen = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
@@ -71,6 +73,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     for (letter, values) in &overlays {
         mark(&letter.to_string(), *values, &scale, plot, buf, theme.overlay);
     }
+    check::marks(app, &scale, plot, buf, theme);
     match field {
         Some(values) => mark("X", values, &scale, plot, buf, theme.forecast),
         None => {
@@ -94,7 +97,7 @@ fn overlays(app: &App) -> Vec<(char, Values)> {
 }
 
 /// The two axes, in the units shown.
-struct Scale {
+pub(super) struct Scale {
     x: Axis,
     y: Axis,
     /// Units of length on the screen in a metre.
@@ -112,6 +115,9 @@ impl Scale {
             force = force.max(values.force);
             deflection = deflection.max(values.deflection);
         }
+        let checked = check::reach(app);
+        force = force.max(checked.force);
+        deflection = deflection.max(checked.deflection);
         if let Some(f) = app.result().forecast() {
             deflection = deflection.max(f.laboratory.deflection);
             if force == 0.0 {
@@ -139,18 +145,18 @@ impl Scale {
     }
 
     /// A curve in dots of a canvas; points above the chart end it.
-    fn dots(&self, curve: &Curve, canvas: &Canvas) -> Vec<(f64, f64)> {
+    pub(super) fn dots(&self, curve: &Curve, canvas: &Canvas) -> Vec<(f64, f64)> {
         curve.points().map(|p| self.dot(p, canvas)).take_while(|d| d.1 > -1.0).collect()
     }
 
-    fn dot(&self, point: Point, canvas: &Canvas) -> (f64, f64) {
+    pub(super) fn dot(&self, point: Point, canvas: &Canvas) -> (f64, f64) {
         let (w, h) = canvas.dots();
         let (x, y) = self.part(point);
         (x * f64::from(w - 1) + 0.5, (1.0 - y) * f64::from(h - 1) + 0.5)
     }
 
     /// Column and row of a point in the plot, if it is inside.
-    fn cell(&self, point: Point, plot: Rect) -> Option<(u16, u16)> {
+    pub(super) fn cell(&self, point: Point, plot: Rect) -> Option<(u16, u16)> {
         let (x, y) = self.part(point);
         if !(0.0..=1.0).contains(&x) || !(0.0..=1.0).contains(&y) {
             return None;

@@ -1,5 +1,6 @@
 //! The top line and the bottom line: title; message, prompt or the most important keys.
 
+use super::check;
 use super::inputs::typed_text;
 use super::text::{cut, put, put_right, width};
 use super::theme::Theme;
@@ -41,6 +42,10 @@ pub fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
             Level::Error => format!(" ! {}", status.text),
         };
         put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), style);
+        return;
+    }
+    if let Some(text) = check::progress(app) {
+        put(buf, row, 0, 1, &cut(&text, usize::from(row.width) - 1), theme.check);
         return;
     }
     hints(app, row, buf, theme);

@@ -21,8 +21,10 @@
 pub mod answer;
 pub mod canvas;
 pub mod chart;
+pub mod check;
 pub mod compact;
 pub mod confirm;
+pub mod contours;
 pub mod hint;
 pub mod inputs;
 pub mod layouts;

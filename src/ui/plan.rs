@@ -1,6 +1,7 @@
 //! The cell from above: anchor plates and punch to scale, and the direction of the net.
 
 use super::canvas::{Canvas, Pattern, Pen};
+use super::contours;
 use super::text::{below, heading, put};
 use super::theme::Theme;
 use crate::app::App;
@@ -23,9 +24,21 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let mut canvas = Canvas::new(plan, theme.glyphs);
     let layout = app.layout().layout();
     let view = View::of(&layout, &canvas);
+    contours::draw(app, view.reach, &mut canvas, theme);
     punch(&layout, &view, &mut canvas, theme);
     plates(&layout, &view, &mut canvas, theme);
     canvas.show(buf);
+    if let Some(shown) = app.shown_check() {
+        // Where the first wire of each run broke; the middle of the bond in the flat net.
+        for broken in &shown.verdict.breaks {
+            let (x, y) = view.dot(broken.place[0], broken.place[1]);
+            let (w, h) = canvas.dots();
+            let column = (x / f64::from(w) * f64::from(plan.width)) as u16;
+            let row = (y / f64::from(h) * f64::from(plan.height)) as u16;
+            let style = if shown.stale() { theme.text } else { theme.caution };
+            put(buf, plan, row.min(plan.height - 1), column.min(plan.width - 1), "x", style);
+        }
+    }
     let side =
         Rect { x: plan.right() + 1, width: room.right().saturating_sub(plan.right() + 1), ..room };
     let (up, right) = match theme.glyphs {

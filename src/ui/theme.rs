@@ -17,6 +17,8 @@ pub struct Theme {
     pub selected: Style,
     /// The selected layout's curve and its answer.
     pub forecast: Style,
+    /// The check by simulation.
+    pub check: Style,
     /// Overlaid curves.
     pub overlay: Style,
     /// The laboratory curve.
@@ -49,6 +51,7 @@ impl Theme {
             title: bold,
             selected: reverse,
             forecast: colored(bold, Color::Blue),
+            check: colored(plain, Color::Green),
             overlay: colored(plain, Color::Magenta),
             laboratory: plain,
             design: colored(plain, Color::Yellow),

@@ -6,7 +6,8 @@ mod source;
 use source::{SourceFile, files};
 
 /// Rooms on the ground, which everyone may use.
-const GROUND: &[&str] = &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units"];
+const GROUND: &[&str] =
+    &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units", "words"];
 
 /// Rooms from the ground up, each with the rooms it may use. A room that does not exist yet is no
 /// fault; a room that is missing here is one, because somebody has to say what it may use.
@@ -16,12 +17,13 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("fingerprint", &[]),
     ("curve", &[]),
     ("axis", &[]),
+    ("words", &[]),
     ("layout", &[&["problem", "units"]]),
     ("mesh", &[&["problem", "units"]]),
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),
     ("study", &[GROUND, &["dem", "forecast"]]),
-    ("project", &[GROUND]),
+    ("project", &[GROUND, &["dem", "study"]]),
     ("export", &[GROUND, &["dem", "forecast", "project", "study"]]),
     ("job", &[GROUND, &["dem", "forecast", "study"]]),
     ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "study"]]),

@@ -7,6 +7,7 @@ mod forecast_csv_and_text;
 mod forecast_json;
 mod program;
 mod studies;
+mod study_checks;
 mod tables;
 
 use serde_json::Value;

@@ -24,6 +24,13 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "units m|mm", help: "unit of lengths" },
     CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },
     CommandHelp { form: "color 16|none", help: "colours" },
+    CommandHelp { form: "check / check all", help: "check this layout, or all" },
+    CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
+    CommandHelp {
+        form: "runs N|auto",
+        help: "runs of a check; auto: until the mean is known to 2 %",
+    },
+    CommandHelp { form: "live on|off", help: "a quick check after each edit" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },
     CommandHelp { form: "help", help: "this help" },
     CommandHelp { form: "open", help: "list of recent and near projects, as O (also :e)" },

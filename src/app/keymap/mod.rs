@@ -95,6 +95,16 @@ pub enum Action {
     Overwrite,
     /// Take back the unsaved edits that were kept.
     Restore,
+    /// Check the layout by simulation.
+    Check,
+    /// Check all layouts.
+    CheckAll,
+    /// Switch live checks.
+    Live,
+    /// Take the next fidelity of checks.
+    Fidelity,
+    /// End what runs behind the screen.
+    Stop,
     /// Give the marked setting its next word.
     NextWord,
     /// Give the marked setting its previous word.

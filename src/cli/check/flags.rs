@@ -178,7 +178,8 @@ pub(super) fn placed(found: Vec<Problem>, layout: Option<&str>) -> Fault {
     Fault::from(found.into_iter().map(place).collect::<Vec<_>>())
 }
 
-fn runs(text: &str) -> Result<usize, String> {
+/// A number of runs.
+pub(in crate::cli) fn runs(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(n) if (1..=10_000).contains(&n) => Ok(n),
         _ => Err("this is no number of runs; allowed: 1 to 10000".into()),

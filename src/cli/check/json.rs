@@ -1,8 +1,8 @@
 //! A check as JSON: SI with kN, one object a layout.
 
-use super::{Checked, VERSION};
-use crate::cli::output::{Fault, json, number, optional};
-use crate::cli::shapes::{CurveJson, InputsJson, Pair, WarningJson, objects};
+use super::Checked;
+use crate::cli::output::{Fault, json_list, number, optional};
+use crate::cli::shapes::{CurveJson, Head, InputsJson, Pair, WarningJson};
 use crate::dem::lattice::Role;
 use crate::dem::outcome::Break;
 use crate::dem::{Fidelity, Stop, Test};
@@ -12,16 +12,13 @@ use serde::Serialize;
 
 /// One object, or a list of them with one line each.
 pub fn report(checked: &[Checked], several: bool) -> Result<String, Fault> {
-    objects(checked.iter().map(|c| json(&Report::of(c))), several)
+    json_list(checked.iter().map(Report::of), several)
 }
 
 #[derive(Serialize)]
 struct Report<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'a str>,
-    version: &'static str,
-    fingerprint: String,
-    inputs: InputsJson<'a>,
+    #[serde(flatten)]
+    head: Head<'a>,
     test: Test,
     fidelity: Fidelity,
     law: &'a str,
@@ -193,10 +190,11 @@ impl<'a> Report<'a> {
         let shown = |v: f64| counted.then(|| without_noise(v));
         let forecast = c.forecast.values;
         Report {
-            layout: c.case.name.as_deref(),
-            version: VERSION,
-            fingerprint: c.fingerprint.to_string(),
-            inputs: InputsJson::of(&c.case.entry.layout(), &c.case.mesh, c.case.entry.branch),
+            head: Head::of(
+                c.case.name.as_deref(),
+                c.fingerprint,
+                InputsJson::of(&c.case.entry.layout(), &c.case.mesh, c.case.entry.branch),
+            ),
             test: c.spec.test,
             fidelity: c.fidelity,
             law: &c.spec.wire.source,

@@ -12,7 +12,7 @@ mod remarks;
 mod text;
 
 pub use flags::CheckArgs;
-pub(super) use flags::{fidelity, threads};
+pub(super) use flags::{fidelity, runs, threads};
 
 use super::case::{Case, Inputs};
 use super::output::{Fault, Outcome, Output, say};

@@ -1,11 +1,14 @@
 //! A comparison as JSON and CSV: SI with kN, in the order asked for.
 
+use super::Compared;
 use crate::cli::VERSION;
+use crate::cli::dem::csv as dem_csv;
+use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Design, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::warning::Weight;
-use crate::study::compare::{Comparison, Row};
+use crate::study::compare::Row;
 use crate::units::to_kn;
 use serde::Serialize;
 use std::fmt::Write;
@@ -15,6 +18,8 @@ struct Report<'a> {
     version: &'static str,
     fingerprint: String,
     governing: Option<GoverningJson<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dem_plan: Option<PlanJson>,
     layouts: Vec<RowJson<'a>>,
     basis: &'static str,
 }
@@ -40,6 +45,8 @@ struct RowJson<'a> {
     #[serde(serialize_with = "optional")]
     utilisation: Option<f64>,
     design: Option<Design>,
+    #[serde(flatten)]
+    checked: Option<CheckedJson<'a>>,
     governing: bool,
     mark: &'static str,
     missing: Option<&'static str>,
@@ -65,7 +72,8 @@ pub fn mark(row: &Row) -> &'static str {
 }
 
 /// One object with a list of the layouts.
-pub fn json(c: &Comparison, order: &[usize]) -> Result<String, Fault> {
+pub fn json(compared: &Compared, order: &[usize]) -> Result<String, Fault> {
+    let c = &compared.comparison;
     let report = Report {
         version: VERSION,
         fingerprint: c.fingerprint().to_string(),
@@ -75,13 +83,15 @@ pub fn json(c: &Comparison, order: &[usize]) -> Result<String, Fault> {
             utilisation: g.utilisation,
             F_kN: c.rows[g.row].values().ok().map(|v| to_kn(v.force)),
         }),
-        layouts: order.iter().map(|i| row(c, *i)).collect(),
+        dem_plan: compared.checked.as_ref().map(|(wanted, _)| PlanJson::of(wanted)),
+        layouts: order.iter().map(|i| row(compared, *i)).collect(),
         basis: BASIS,
     };
     Ok(crate::cli::output::json(&report)? + "\n")
 }
 
-fn row(c: &Comparison, index: usize) -> RowJson<'_> {
+fn row(compared: &Compared, index: usize) -> RowJson<'_> {
+    let c = &compared.comparison;
     let row = &c.rows[index];
     let forecast = row.forecast.as_ref().ok();
     let values = row.values();
@@ -98,6 +108,9 @@ fn row(c: &Comparison, index: usize) -> RowJson<'_> {
         }),
         utilisation: row.utilisation(),
         design: row.answer.map(|answer| Design::of(&answer, &row.case.question)),
+        checked: compared.answer(index).map(|answer| {
+            CheckedJson::of(answer, values.as_ref().ok().copied(), &row.case.question)
+        }),
         governing: c.governing.is_some_and(|g| g.row == index),
         mark: mark(row),
         missing: values.err().map(|why| why.code()),
@@ -106,20 +119,26 @@ fn row(c: &Comparison, index: usize) -> RowJson<'_> {
 }
 
 /// One line a layout.
-pub fn csv(c: &Comparison, order: &[usize]) -> String {
+pub fn csv(compared: &Compared, order: &[usize]) -> String {
+    let c = &compared.comparison;
     let mut out = String::from(
-        "layout,mesh,d_m,L_m,D_m,ex_m,ey_m,F_kN,delta_m,F_field_over_lab,delta_field_over_lab,utilisation,design_delta_m,governing,missing,warnings\n",
+        "layout,mesh,d_m,L_m,D_m,ex_m,ey_m,F_kN,delta_m,F_field_over_lab,delta_field_over_lab,utilisation,design_delta_m,governing,missing,warnings",
     );
+    out.push_str(if compared.checked.is_some() { dem_csv::COLUMNS } else { "" });
+    out.push('\n');
     for index in order {
         let row = &c.rows[*index];
         let (l, forecast, values) = (&row.case.layout, row.forecast.as_ref().ok(), row.values());
         let codes: Vec<&str> =
             forecast.iter().flat_map(|f| f.warnings.iter().map(|w| w.code())).collect();
         let value = values.as_ref().ok();
+        let dem = compared.answer(*index).map_or(String::new(), |answer| {
+            dem_csv::cells(answer, value.copied(), &row.case.question)
+        });
         // Writing to a string cannot fail.
         let _ = writeln!(
             out,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{dem}",
             quoted(&row.name),
             quoted(&row.case.mesh.id),
             cell(Some(l.plate)),

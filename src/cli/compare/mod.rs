@@ -1,14 +1,18 @@
 //! `meshcast compare`: the layouts of a project side by side.
 //!
-//! - [`text`]: the table for people; [`data`]: JSON and CSV.
+//! - [`text`]: the table for people; [`both`]: that of the checks below it; [`data`]: JSON and CSV.
 
+mod both;
 mod data;
 mod text;
 
 use super::UiFlags;
 use super::case::Inputs;
-use super::output::{Outcome, TableFormat, result};
-use crate::study::compare::{Column, compare};
+use super::dem::{DemFlags, Job};
+use super::output::{Outcome, Output, TableFormat};
+use crate::study::checks::Answer;
+use crate::study::compare::{Column, Comparison, compare};
+use crate::study::verdict::Wanted;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
@@ -29,6 +33,8 @@ pub struct CompareArgs {
     descending: bool,
     #[command(flatten)]
     inputs: Inputs,
+    #[command(flatten)]
+    dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
@@ -41,6 +47,21 @@ fn column() -> impl TypedValueParser<Value = Column> {
     })
 }
 
+/// A comparison with its checks.
+#[derive(Debug)]
+struct Compared {
+    comparison: Comparison,
+    /// What is asked of the checks, and one answer for each row, where they are asked for.
+    checked: Option<(Wanted, Vec<Answer>)>,
+}
+
+impl Compared {
+    /// The check of a row.
+    fn answer(&self, row: usize) -> Option<&Answer> {
+        self.checked.as_ref()?.1.get(row)
+    }
+}
+
 /// Compares and writes the result in the form asked for.
 pub fn run(args: &CompareArgs, ui: &UiFlags) -> Outcome {
     let loaded = args.inputs.of_file(&args.project, None, ui)?;
@@ -50,9 +71,20 @@ pub fn run(args: &CompareArgs, ui: &UiFlags) -> Outcome {
         Some(column) => comparison.sorted(column, args.descending),
         None => (0..comparison.rows.len()).collect(),
     };
-    match args.format {
-        TableFormat::Text => result(text::report(&comparison, &order, loaded.unit)),
-        TableFormat::Json => result(data::json(&comparison, &order)?),
-        TableFormat::Csv => result(data::csv(&comparison, &order)),
-    }
+    let mut interrupted = false;
+    let checked = args.dem.wanted().map(|wanted| {
+        let rows = comparison.rows.iter();
+        let jobs: Vec<Job> =
+            rows.map(|row| Job { name: row.name.clone(), case: row.case.clone() }).collect();
+        let done = args.dem.run(&wanted, &jobs);
+        interrupted = done.interrupted;
+        (wanted, done.answers)
+    });
+    let compared = Compared { comparison, checked };
+    let result = match args.format {
+        TableFormat::Text => text::report(&compared, &order, loaded.unit),
+        TableFormat::Json => data::json(&compared, &order)?,
+        TableFormat::Csv => data::csv(&compared, &order),
+    };
+    Ok(Output { result, interrupted, ..Output::default() })
 }

@@ -1,6 +1,7 @@
 //! A comparison as a table of 80 columns, the governing layout named below, and what to know.
 
 use super::data::mark;
+use super::{Compared, both};
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::warning::Weight;
@@ -9,10 +10,11 @@ use crate::units::{LengthUnit, force_text, significant, to_kn};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// Columns of a layout's name.
-const NAME: usize = 14;
+pub const NAME: usize = 14;
 
 /// The table with its notes.
-pub fn report(c: &Comparison, order: &[usize], unit: LengthUnit) -> String {
+pub fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
+    let c = &compared.comparison;
     if c.rows.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -38,6 +40,7 @@ pub fn report(c: &Comparison, order: &[usize], unit: LengthUnit) -> String {
     }
     page.lines.push(String::new());
     governing(&mut page, c);
+    both::table(&mut page, compared, order);
     for index in order {
         remarks(&mut page, &c.rows[*index]);
     }
@@ -93,7 +96,7 @@ fn line(row: &Row, governs: bool, unit: LengthUnit) -> String {
 }
 
 /// A name in exactly so many columns, cut with `~` where it is longer.
-fn cut(name: &str, columns: usize) -> String {
+pub fn cut(name: &str, columns: usize) -> String {
     let mut text = String::new();
     if name.width() < columns {
         text.push_str(name);

@@ -1,10 +1,9 @@
 //! Design solutions as JSON and CSV: SI with kN.
 
 use super::Solved;
-use crate::cli::VERSION;
 use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
-use crate::cli::shapes::{InputsJson, Pair, WarningJson, pair};
+use crate::cli::shapes::{Head, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::design::Question;
 use crate::study::case::{Outcome, Point};
 use crate::study::solve::{Crossing, Place, Solution};
@@ -19,11 +18,8 @@ pub fn json(solved: &[Solved], several: bool) -> Result<String, Fault> {
 
 #[derive(Serialize)]
 struct Report<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'a str>,
-    version: &'static str,
-    fingerprint: String,
-    inputs: InputsJson<'a>,
+    #[serde(flatten)]
+    head: Head<'a>,
     question: QuestionJson,
     field: Option<Pair>,
     design: Option<crate::cli::shapes::Design>,
@@ -192,10 +188,11 @@ impl<'a> Report<'a> {
     fn of(s: &'a Solved) -> Report<'a> {
         let point = s.outcome.as_ref().ok();
         Report {
-            layout: s.name.as_deref(),
-            version: VERSION,
-            fingerprint: s.case.fingerprint().to_string(),
-            inputs: InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            head: Head::of(
+                s.name.as_deref(),
+                s.case.fingerprint(),
+                InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            ),
             question: QuestionJson::of(&s.case.question),
             field: point.map(|p| pair(p.values())),
             design: point.map(|p| crate::cli::shapes::Design::of(&p.answer, &s.case.question)),

@@ -1,8 +1,8 @@
 //! A forecast as JSON: SI with kN, one object a layout.
 
-use super::{Answered, BASIS, VERSION};
+use super::{Answered, BASIS};
 use crate::cli::output::{Fault, json_list, list, number, optional};
-use crate::cli::shapes::{Design, InputsJson, Pair, WarningJson, pair};
+use crate::cli::shapes::{Design, Head, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::eccentricity::published;
 use crate::forecast::{CURVE_POINTS, Values};
 use crate::units::{to_kj, to_kn};
@@ -15,11 +15,8 @@ pub fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {
 
 #[derive(Serialize)]
 struct Report<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'a str>,
-    version: &'static str,
-    fingerprint: String,
-    inputs: InputsJson<'a>,
+    #[serde(flatten)]
+    head: Head<'a>,
     lab: Lab<'a>,
     field_reference: Pair,
     field: Option<Field>,
@@ -116,10 +113,11 @@ impl<'a> Report<'a> {
         let record = &a.case.mesh.laboratory;
         let measured = Values { force: record.force, deflection: record.deflection };
         Report {
-            layout: a.case.name.as_deref(),
-            version: VERSION,
-            fingerprint: a.fingerprint.to_string(),
-            inputs: InputsJson::of(&f.layout, &a.case.mesh, f.rule),
+            head: Head::of(
+                a.case.name.as_deref(),
+                a.fingerprint,
+                InputsJson::of(&f.layout, &a.case.mesh, f.rule),
+            ),
             lab: Lab {
                 standard: pair(f.laboratory),
                 statistic: record.statistic.word(),

@@ -6,10 +6,10 @@ mod csv;
 mod json;
 mod text;
 
+use super::UiFlags;
 use super::case::{Case, Source};
 use super::output::{Fault, Outcome, TableFormat, result};
 use super::page::BASIS;
-use super::{UiFlags, VERSION};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question, answer};
 use crate::forecast::fingerprint::of_inputs;

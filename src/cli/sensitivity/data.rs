@@ -1,33 +1,42 @@
 //! A sensitivity as JSON and CSV: SI with kN, the inputs in the order of the definitions.
 
 use super::Studied;
-use crate::cli::VERSION;
+use crate::cli::dem::csv as dem_csv;
+use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
-use crate::cli::shapes::{InputsJson, WarningJson};
+use crate::cli::shapes::{Head, InputsJson, WarningJson};
+use crate::study::case::Case;
 use crate::study::case::{Input, Outcome};
+use crate::study::sensitivity::dem::{CheckedBar, CheckedStep};
 use crate::study::sensitivity::{Bar, Change, Effect, Step};
+use crate::study::verdict::Wanted;
 use crate::units::to_kn;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// One object, or a list of them with one line each.
-pub fn json(studied: &[Studied], several: bool) -> Result<String, Fault> {
-    json_list(studied.iter().map(Report::of), several)
+pub fn json(studied: &[Studied], wanted: Option<&Wanted>, several: bool) -> Result<String, Fault> {
+    json_list(studied.iter().map(|s| Report::of(s, wanted)), several)
 }
 
 #[derive(Serialize)]
 struct Report<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'a str>,
-    version: &'static str,
-    fingerprint: String,
-    inputs: InputsJson<'a>,
+    #[serde(flatten)]
+    head: Head<'a>,
     base: Option<Values>,
     missing: Option<&'static str>,
-    sensitivity: Vec<BarJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dem_plan: Option<PlanJson>,
+    /// The check of the case itself.
+    #[serde(flatten)]
+    checked: Option<CheckedJson<'a>>,
+    sensitivity: Vec<BarJson<'a>>,
     /// Inputs by falling effect.
     order: Order,
+    /// The same by the checks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    order_dem: Option<Order>,
     warnings: Vec<WarningJson>,
     basis: &'static str,
 }
@@ -51,17 +60,17 @@ struct Values {
 }
 
 #[derive(Serialize)]
-struct BarJson {
+struct BarJson<'a> {
     input: &'static str,
     unit: &'static str,
     #[serde(serialize_with = "number")]
     value: f64,
-    low: StepJson,
-    high: StepJson,
+    low: StepJson<'a>,
+    high: StepJson<'a>,
 }
 
 #[derive(Serialize)]
-struct StepJson {
+struct StepJson<'a> {
     #[serde(serialize_with = "number")]
     value: f64,
     #[serde(flatten)]
@@ -69,6 +78,8 @@ struct StepJson {
     change: Option<ChangeJson>,
     missing: Option<&'static str>,
     warnings: Vec<&'static str>,
+    #[serde(flatten)]
+    checked: Option<CheckedJson<'a>>,
 }
 
 #[derive(Serialize)]
@@ -105,6 +116,11 @@ fn values(outcome: &Outcome) -> Option<Values> {
     })
 }
 
+/// F_a and delta_a, where there are any.
+fn forecast(outcome: &Outcome) -> Option<crate::forecast::Values> {
+    outcome.as_ref().ok().map(|p| p.values())
+}
+
 fn codes(outcome: &Outcome) -> Vec<&'static str> {
     outcome.iter().flat_map(|p| p.warnings.iter().map(|w| w.code())).collect()
 }
@@ -114,39 +130,53 @@ fn missing(outcome: &Outcome) -> Option<&'static str> {
 }
 
 impl<'a> Report<'a> {
-    fn of(s: &'a Studied) -> Report<'a> {
+    fn of(s: &'a Studied, wanted: Option<&Wanted>) -> Report<'a> {
         let base = &s.sensitivity.base;
+        let checked = s.checked.as_ref();
+        let found = |effect| checked.map(|c| c.by(effect).iter().map(|b| b.input.word()).collect());
         let order = |effect| s.sensitivity.by(effect).iter().map(|b| b.input.word()).collect();
         Report {
-            layout: s.name.as_deref(),
-            version: VERSION,
-            fingerprint: s.case.fingerprint().to_string(),
-            inputs: InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            head: Head::of(
+                s.name.as_deref(),
+                s.case.fingerprint(),
+                InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            ),
             base: values(base),
             missing: missing(base),
-            sensitivity: s.sensitivity.bars.iter().map(BarJson::of).collect(),
+            dem_plan: wanted.map(PlanJson::of),
+            checked: checked.map(|c| CheckedJson::of(&c.base, forecast(base), &s.case.question)),
+            sensitivity: (s.sensitivity.bars.iter())
+                .map(|bar| BarJson::of(&s.case, bar, checked.and_then(|c| c.bar(bar.input))))
+                .collect(),
             order: Order { F: order(Effect::Force), delta: order(Effect::Deflection) },
+            order_dem: found(Effect::Force)
+                .zip(found(Effect::Deflection))
+                .map(|(force, delta)| Order { F: force, delta }),
             warnings: base.iter().flat_map(|p| p.warnings.iter().map(WarningJson::of)).collect(),
             basis: BASIS,
         }
     }
 }
 
-impl BarJson {
-    fn of(bar: &Bar) -> BarJson {
-        let step = |s: &Step| StepJson {
+impl<'a> BarJson<'a> {
+    fn of(case: &Case, bar: &Bar, checked: Option<&'a CheckedBar>) -> BarJson<'a> {
+        let step = |s: &Step, checked: Option<&'a CheckedStep>| StepJson {
             value: shown(bar.input, s.value),
             values: values(&s.outcome),
             change: s.change.map(|c| ChangeJson::of(&c)),
             missing: missing(&s.outcome),
             warnings: codes(&s.outcome),
+            checked: checked.map(|c| {
+                CheckedJson::of(&c.answer, forecast(&s.outcome), &case.question)
+                    .changed(c.change.as_ref())
+            }),
         };
         BarJson {
             input: bar.input.word(),
             unit: unit(bar.input),
             value: shown(bar.input, bar.value),
-            low: step(&bar.lowered),
-            high: step(&bar.raised),
+            low: step(&bar.lowered, checked.map(|c| &c.lowered)),
+            high: step(&bar.raised, checked.map(|c| &c.raised)),
         }
     }
 }
@@ -165,21 +195,36 @@ impl ChangeJson {
 }
 
 /// One line a step: two for each input.
-pub fn csv(studied: &[Studied], several: bool) -> String {
+pub fn csv(studied: &[Studied], dem: bool, several: bool) -> String {
     let mut out = String::from(if several { "layout," } else { "" });
-    out.push_str("input,unit,step,value,F_kN,delta_m,utilisation,change_F_kN,change_delta_m,change_utilisation,other_branch,missing,warnings\n");
+    out.push_str("input,unit,step,value,F_kN,delta_m,utilisation,change_F_kN,change_delta_m,change_utilisation,other_branch,missing,warnings");
+    if dem {
+        out.push_str(dem_csv::COLUMNS);
+        out.push_str(dem_csv::CHANGES);
+    }
+    out.push('\n');
     for s in studied {
         let name = match &s.name {
             Some(name) if several => format!("{},", quoted(name)),
             _ => String::new(),
         };
         for bar in &s.sensitivity.bars {
-            for (word, step) in [("low", &bar.lowered), ("high", &bar.raised)] {
+            let checked = s.checked.as_ref().and_then(|c| c.bar(bar.input));
+            let steps = [
+                ("low", &bar.lowered, checked.map(|c| &c.lowered)),
+                ("high", &bar.raised, checked.map(|c| &c.raised)),
+            ];
+            for (word, step, checked) in steps {
                 let (v, c) = (values(&step.outcome), step.change);
+                let dem = checked.map_or(String::new(), |c| {
+                    let cells =
+                        dem_csv::cells(&c.answer, forecast(&step.outcome), &s.case.question);
+                    cells + &dem_csv::change(c.change.as_ref())
+                });
                 // Writing to a string cannot fail.
                 let _ = writeln!(
                     out,
-                    "{name}{},{},{word},{},{},{},{},{},{},{},{},{},{}",
+                    "{name}{},{},{word},{},{},{},{},{},{},{},{},{},{}{dem}",
                     bar.input.word(),
                     unit(bar.input),
                     cell(Some(shown(bar.input, step.value))),

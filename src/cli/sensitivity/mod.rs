@@ -1,24 +1,31 @@
 //! `meshcast sensitivity`: how the answer moves with each input.
 //!
-//! - [`text`]: tornadoes drawn in characters; [`data`]: JSON and CSV.
+//! - [`text`]: tornadoes drawn in characters; [`both`]: those of forecast and check side by side;
+//!   [`data`]: JSON and CSV.
 
+mod both;
 mod data;
 mod text;
 
 use super::UiFlags;
 use super::case::Source;
-use super::output::{Outcome, TableFormat, result};
-use crate::study::case::Case;
+use super::dem::{DemFlags, Done, Job};
+use super::output::{Outcome, Output, TableFormat};
+use crate::study::case::{Case, Input};
+use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Sensitivity, sensitivity};
 use clap::Args;
 
 /// How F, delta and utilisation move with each input, both ways, largest effect first.
 ///
 /// Steps: 10 % of d, L, D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone.
+/// With --dem the same steps by discrete elements beside it; F_l* and delta_l* are no inputs of those.
 #[derive(Debug, Args)]
 pub struct SensitivityArgs {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
@@ -30,22 +37,59 @@ struct Studied {
     name: Option<String>,
     case: Case,
     sensitivity: Sensitivity,
+    /// The same by checks, where they are asked for.
+    checked: Option<CheckedSensitivity>,
 }
 
 /// Studies each layout and writes the result in the form asked for.
 pub fn run(args: &SensitivityArgs, ui: &UiFlags) -> Outcome {
     let loaded = args.source.load(ui)?;
-    let studied: Vec<Studied> = loaded
+    let mut studied: Vec<Studied> = loaded
         .cases
         .into_iter()
         .map(|c| {
             let case = c.study();
-            Studied { sensitivity: sensitivity(&case), name: c.name, case }
+            Studied { sensitivity: sensitivity(&case), name: c.name, case, checked: None }
         })
         .collect();
-    match args.format {
-        TableFormat::Text => result(text::report(&studied, loaded.unit)),
-        TableFormat::Json => result(data::json(&studied, loaded.several)?),
-        TableFormat::Csv => result(data::csv(&studied, loaded.several)),
+    let wanted = args.dem.wanted();
+    let mut interrupted = false;
+    if let Some(wanted) = &wanted {
+        let jobs: Vec<Job> = studied.iter().flat_map(jobs).collect();
+        let done = args.dem.run(wanted, &jobs);
+        interrupted = done.interrupted;
+        put(&mut studied, done);
+    }
+    let result = match args.format {
+        TableFormat::Text => text::report(&studied, wanted.as_ref(), loaded.unit),
+        TableFormat::Json => data::json(&studied, wanted.as_ref(), loaded.several)?,
+        TableFormat::Csv => data::csv(&studied, wanted.is_some(), loaded.several),
+    };
+    Ok(Output { result, interrupted, ..Output::default() })
+}
+
+/// The checks of a layout.
+fn jobs(s: &Studied) -> Vec<Job> {
+    let front = s.name.as_ref().map_or(String::new(), |name| format!("{name:?}, "));
+    let named = |(place, case): (usize, Case)| {
+        // The case itself, then two for each input that a check knows.
+        let moved = place.checked_sub(1).and_then(|p| Input::ALL.get(p / 2));
+        let name = match moved {
+            Some(input) => format!("{front}{} {}", input.word(), input.text(input.value(&case))),
+            None => format!("{front}as it is"),
+        };
+        Job { name, case }
+    };
+    dem::cases(&s.case).into_iter().enumerate().map(named).collect()
+}
+
+/// Gives each layout its own answers.
+fn put(studied: &mut [Studied], done: Done) {
+    let mut answers = done.answers.as_slice();
+    for s in studied {
+        let count = dem::cases(&s.case).len().min(answers.len());
+        let (own, rest) = answers.split_at(count);
+        s.checked = Some(dem::assemble(&s.case, own));
+        answers = rest;
     }
 }

@@ -1,26 +1,28 @@
 //! A sensitivity as tornadoes in characters: one for F_a, one for delta_a, and with a design force one
 //! for the utilisation.
 
-use super::Studied;
+use super::{Studied, both};
+use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, input_unit, input_value, percent};
 use crate::forecast::warning::Weight;
 use crate::study::case::{Input, Point};
 use crate::study::sensitivity::{Bar, Effect, Sensitivity, Step, step};
+use crate::study::verdict::Wanted;
 use crate::units::{LengthUnit, force_text, significant, to_kn};
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 15;
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(studied: &[Studied], unit: LengthUnit) -> String {
+pub fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     if studied.is_empty() {
         return NO_LAYOUTS.to_string();
     }
-    let all: Vec<String> = studied.iter().map(|s| one(s, unit)).collect();
+    let all: Vec<String> = studied.iter().map(|s| one(s, wanted, unit)).collect();
     all.join("\n")
 }
 
-fn one(s: &Studied, unit: LengthUnit) -> String {
+fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     let mut page = Page::new(unit);
     page.inputs("sensitivity", s.name.as_deref(), s.case.fingerprint(), &s.case);
     match &s.sensitivity.base {
@@ -32,12 +34,23 @@ fn one(s: &Studied, unit: LengthUnit) -> String {
                 format!("10 % of d, L, D, F_l*, delta_l*; {offset} (L/20) of ex, ey"),
             );
             page.line("bars", "--- input lowered, === input raised, ### both");
+            let checked = s.checked.as_ref().zip(wanted);
+            if let Some((checked, wanted)) = checked {
+                dem::plan(&mut page, wanted);
+                both::base(&mut page, s, checked);
+            }
             for effect in [Effect::Force, Effect::Deflection, Effect::Utilisation] {
                 if effect != Effect::Utilisation || point.utilisation().is_some() {
-                    tornado(&mut page, &s.sensitivity, effect);
+                    match checked {
+                        Some((checked, _)) => both::tornado(&mut page, s, checked, effect),
+                        None => tornado(&mut page, &s.sensitivity, effect),
+                    }
                 }
             }
             notes(&mut page, &s.sensitivity);
+            if let Some((checked, _)) = checked {
+                both::notes(&mut page, checked);
+            }
         }
         Err(_) => page.line("field", "no value, and so no sensitivity: the punch is on a plate"),
     }

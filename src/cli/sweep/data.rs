@@ -1,32 +1,35 @@
 //! A sweep as JSON and CSV: SI with kN, points along the first input, row after row.
 
 use super::Swept;
-use crate::cli::VERSION;
+use crate::cli::dem::csv as dem_csv;
+use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, json_list, number, quoted};
 use crate::cli::page::BASIS;
-use crate::cli::shapes::InputsJson;
+use crate::cli::shapes::{Head, InputsJson};
+use crate::forecast::Values;
 use crate::study::case::{Input, Outcome};
+use crate::study::checks::Answer;
 use crate::study::sweep::{Axis, Grid};
+use crate::study::verdict::Wanted;
 use crate::units::{to_kn, without_noise};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::fmt::Write;
 
 /// One object, or a list of them with one line each.
-pub fn json(swept: &[Swept], several: bool) -> Result<String, Fault> {
-    json_list(swept.iter().map(Report::of), several)
+pub fn json(swept: &[Swept], wanted: Option<&Wanted>, several: bool) -> Result<String, Fault> {
+    json_list(swept.iter().map(|s| Report::of(s, wanted)), several)
 }
 
 #[derive(Serialize)]
 struct Report<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'a str>,
-    version: &'static str,
-    fingerprint: String,
     /// Of the layout itself; each point replaces what is varied.
-    inputs: InputsJson<'a>,
+    #[serde(flatten)]
+    head: Head<'a>,
     vary: AxisJson,
     vary2: Option<AxisJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dem_plan: Option<PlanJson>,
     points: Vec<PointJson<'a>>,
     basis: &'static str,
 }
@@ -42,8 +45,16 @@ struct AxisJson {
     steps: usize,
 }
 
-/// A point: what is varied by its column's name, then what it gives.
+/// A point: what is varied by its column's name, then what it gives, and its check.
+#[derive(Serialize)]
 struct PointJson<'a> {
+    #[serde(flatten)]
+    forecast: ForecastJson<'a>,
+    #[serde(flatten)]
+    checked: Option<CheckedJson<'a>>,
+}
+
+struct ForecastJson<'a> {
     varied: [Option<(&'static str, f64)>; 2],
     outcome: &'a Outcome,
 }
@@ -58,7 +69,7 @@ struct ValuesJson {
     warnings: Vec<&'static str>,
 }
 
-impl Serialize for PointJson<'_> {
+impl Serialize for ForecastJson<'_> {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         let mut map = s.serialize_map(None)?;
         for (column, value) in self.varied.iter().flatten() {
@@ -98,8 +109,18 @@ fn varied(grid: &Grid, index: usize) -> [Option<(&'static str, f64)>; 2] {
     [Some(of(&grid.first, first)), grid.second.as_ref().zip(second).map(|(a, v)| of(a, v))]
 }
 
+/// The check of a point.
+fn answer(s: &Swept, index: usize) -> Option<&Answer> {
+    s.checked.as_ref()?.get(index)
+}
+
+/// F_a and delta_a of a point, where there are any.
+fn forecast(outcome: &Outcome) -> Option<Values> {
+    outcome.as_ref().ok().map(|p| p.values())
+}
+
 impl<'a> Report<'a> {
-    fn of(s: &'a Swept) -> Report<'a> {
+    fn of(s: &'a Swept, wanted: Option<&Wanted>) -> Report<'a> {
         let grid = &s.sweep.grid;
         let axis = |a: &Axis| AxisJson {
             input: a.input.word(),
@@ -110,14 +131,20 @@ impl<'a> Report<'a> {
         };
         let points = s.sweep.points.iter().enumerate();
         Report {
-            layout: s.name.as_deref(),
-            version: VERSION,
-            fingerprint: grid.fingerprint(&s.case).to_string(),
-            inputs: InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            head: Head::of(
+                s.name.as_deref(),
+                grid.fingerprint(&s.case),
+                InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
+            ),
             vary: axis(&grid.first),
             vary2: grid.second.as_ref().map(axis),
+            dem_plan: wanted.map(PlanJson::of),
             points: points
-                .map(|(index, outcome)| PointJson { varied: varied(grid, index), outcome })
+                .map(|(index, outcome)| PointJson {
+                    forecast: ForecastJson { varied: varied(grid, index), outcome },
+                    checked: answer(s, index)
+                        .map(|answer| CheckedJson::of(answer, forecast(outcome), &s.case.question)),
+                })
                 .collect(),
             basis: BASIS,
         }
@@ -125,13 +152,15 @@ impl<'a> Report<'a> {
 }
 
 /// One line a point.
-pub fn csv(swept: &[Swept], grid: &Grid, several: bool) -> String {
+pub fn csv(swept: &[Swept], grid: &Grid, dem: bool, several: bool) -> String {
     let mut out = String::from(if several { "layout," } else { "" });
     for axis in std::iter::once(&grid.first).chain(&grid.second) {
         out.push_str(axis.input.column());
         out.push(',');
     }
-    out.push_str("F_kN,delta_m,utilisation,missing,warnings\n");
+    out.push_str("F_kN,delta_m,utilisation,missing,warnings");
+    out.push_str(if dem { dem_csv::COLUMNS } else { "" });
+    out.push('\n');
     for s in swept {
         let name = match &s.name {
             Some(name) if several => format!("{},", quoted(name)),
@@ -144,10 +173,13 @@ pub fn csv(swept: &[Swept], grid: &Grid, several: bool) -> String {
                 out.push(',');
             }
             let v = ValuesJson::of(outcome);
+            let dem = answer(s, index).map_or(String::new(), |answer| {
+                dem_csv::cells(answer, forecast(outcome), &s.case.question)
+            });
             // Writing to a string cannot fail.
             let _ = writeln!(
                 out,
-                "{},{},{},{},{}",
+                "{},{},{},{},{}{dem}",
                 cell(v.F_kN),
                 cell(v.delta_m),
                 cell(v.utilisation),

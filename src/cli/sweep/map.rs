@@ -3,9 +3,12 @@
 
 use super::Swept;
 use super::text::deflection;
+use crate::cli::dem::figures::Figures;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
+use crate::forecast::design::Question;
 use crate::study::case::{NoValue, Outcome, Point};
-use crate::study::sweep::{Axis, extent};
+use crate::study::checks::{Answer, NoCheck};
+use crate::study::sweep::Axis;
 use crate::units::{LengthUnit, significant, to_kn};
 
 /// From little to much; eight signs that can be told apart on paper and without colour.
@@ -34,6 +37,15 @@ impl Shown {
         }
     }
 
+    /// The same of a check, where a run broke.
+    fn found(self, f: &Figures) -> Option<f64> {
+        match self {
+            Shown::Force => f.mean.map(|v| v.force),
+            Shown::Deflection => f.mean.map(|v| v.deflection),
+            Shown::Utilisation => f.utilisation,
+        }
+    }
+
     fn text(self, v: f64, unit: LengthUnit) -> String {
         match self {
             Shown::Force => significant(to_kn(v), 3),
@@ -42,23 +54,89 @@ impl Shown {
         }
     }
 
-    fn title(self, unit: LengthUnit) -> String {
-        match self {
-            Shown::Force => "F_a, kN".into(),
-            Shown::Deflection => format!("delta_a, {}", unit.symbol()),
-            Shown::Utilisation => "use, %".into(),
+    /// The word in front of a map, shorter than the margin.
+    fn title(self, unit: LengthUnit, checked: bool) -> String {
+        match (self, checked) {
+            (Shown::Force, false) => "F_a, kN".into(),
+            (Shown::Force, true) => "DEM F, kN".into(),
+            (Shown::Deflection, false) => format!("delta_a, {}", unit.symbol()),
+            (Shown::Deflection, true) => format!("DEM delta, {}", unit.symbol()),
+            (Shown::Utilisation, false) => "use, %".into(),
+            (Shown::Utilisation, true) => "DEM use, %".into(),
         }
     }
 }
 
-/// Draws a map of F_a, of delta_a, and with a design force of the utilisation.
+/// A cell: a value, a sign for why there is none, or nothing.
+#[derive(Clone, Copy)]
+enum Cell {
+    Value(f64),
+    Sign(char),
+    Empty,
+}
+
+/// A map: its title and its cells, and the ends of its shades.
+struct Layer {
+    title: String,
+    shown: Shown,
+    cells: Vec<Cell>,
+    ends: (f64, f64),
+}
+
+/// Draws a map of F_a, of delta_a, and with a design force of the utilisation; each is followed by
+/// that of the checks, where there are any, in the same shades.
 pub fn draw(page: &mut Page, s: &Swept, second: &Axis) {
     let asked = s.case.question.force.is_some();
     for shown in [Shown::Force, Shown::Deflection, Shown::Utilisation] {
-        if shown != Shown::Utilisation || asked {
-            one(page, s, second, shown);
+        if shown == Shown::Utilisation && !asked {
+            continue;
+        }
+        let forecast: Vec<Cell> = s.sweep.points.iter().map(|o| forecast(o, shown)).collect();
+        let checked: Option<Vec<Cell>> = s.checked.as_ref().map(|answers| {
+            answers.iter().map(|answer| checked(answer, &s.case.question, shown)).collect()
+        });
+        let all = || forecast.iter().chain(checked.iter().flatten());
+        let Some(ends) = extent(all()) else {
+            page.lines.push(String::new());
+            page.line("field", "no value anywhere on the map");
+            continue;
+        };
+        let titles = [false, true].map(|checked| shown.title(page.unit, checked));
+        let maps = titles.into_iter().zip([Some(forecast), checked]);
+        for (title, cells) in maps {
+            if let Some(cells) = cells {
+                one(page, s, second, &Layer { title, shown, cells, ends });
+            }
         }
     }
+}
+
+fn forecast(outcome: &Outcome, shown: Shown) -> Cell {
+    match outcome {
+        Ok(p) => shown.read(p).map_or(Cell::Empty, Cell::Value),
+        Err(NoValue::PunchOnPlate) => Cell::Sign('P'),
+        Err(NoValue::Senseless(_)) => Cell::Sign('?'),
+    }
+}
+
+fn checked(answer: &Answer, question: &Question, shown: Shown) -> Cell {
+    match answer {
+        // A run that slipped has no force of its own.
+        Ok(v) => shown.found(&Figures::of(v, None, question)).map_or(Cell::Sign('s'), Cell::Value),
+        Err(NoCheck::Impossible(_)) => Cell::Sign('X'),
+        Err(NoCheck::Laboratory | NoCheck::NotMade) => Cell::Empty,
+    }
+}
+
+/// Smallest and largest value of some cells.
+fn extent<'a>(cells: impl Iterator<Item = &'a Cell>) -> Option<(f64, f64)> {
+    cells.fold(None, |extent, cell| match cell {
+        Cell::Value(v) => {
+            let (least, most) = extent.unwrap_or((*v, *v));
+            Some((least.min(*v), most.max(*v)))
+        }
+        Cell::Sign(_) | Cell::Empty => extent,
+    })
 }
 
 /// Places of at most `most` of `count` values at equal distances, both ends included.
@@ -68,13 +146,9 @@ fn thinned(count: usize, most: usize) -> Vec<usize> {
     (0..shown).map(|i| (i * (count - 1) + last / 2) / last).collect()
 }
 
-fn one(page: &mut Page, s: &Swept, second: &Axis, shown: Shown) {
+fn one(page: &mut Page, s: &Swept, second: &Axis, layer: &Layer) {
     let (unit, grid) = (page.unit, &s.sweep.grid);
     page.lines.push(String::new());
-    let Some((least, most)) = extent(&s.sweep.points, |p| shown.read(p)) else {
-        page.line("field", "no value anywhere on the map");
-        return;
-    };
     let across = WIDTH - LEFT;
     let columns = thinned(grid.columns.len(), across);
     let rows = thinned(grid.rows.len(), MOST_ROWS);
@@ -82,7 +156,7 @@ fn one(page: &mut Page, s: &Swept, second: &Axis, shown: Shown) {
         wide if wide >= NUMBER => NUMBER,
         some => some.clamp(1, 3),
     };
-    legend(page, &s.sweep.points, shown, (least, most));
+    legend(page, layer);
     if columns.len() < grid.columns.len() || rows.len() < grid.rows.len() {
         page.line(
             "shown",
@@ -102,15 +176,7 @@ fn one(page: &mut Page, s: &Swept, second: &Axis, shown: Shown) {
     for row in upwards {
         let cells: String = columns
             .iter()
-            .map(|c| {
-                cell(
-                    &s.sweep.points[row * grid.columns.len() + c],
-                    shown,
-                    (least, most),
-                    width,
-                    unit,
-                )
-            })
+            .map(|c| cell(layer, row * grid.columns.len() + c, width, unit))
             .collect();
         let at = input_value(second.input, grid.rows[row], unit);
         page.lines.push(format!("{at:>7} |{}", cells.trim_end()));
@@ -118,8 +184,8 @@ fn one(page: &mut Page, s: &Swept, second: &Axis, shown: Shown) {
     axis(page, s, &columns, width);
 }
 
-fn legend(page: &mut Page, points: &[Outcome], shown: Shown, (least, most): (f64, f64)) {
-    let unit = page.unit;
+fn legend(page: &mut Page, layer: &Layer) {
+    let (unit, shown, (least, most)) = (page.unit, layer.shown, layer.ends);
     let step = (most - least) / SHADES.len() as f64;
     let shades: Vec<String> = SHADES
         .iter()
@@ -127,10 +193,15 @@ fn legend(page: &mut Page, points: &[Outcome], shown: Shown, (least, most): (f64
         .map(|(i, sign)| format!("{sign} {}", shown.text(least + step * i as f64, unit)))
         .collect();
     let top = shown.text(most, unit);
-    page.line(&shown.title(unit), format!("from: {}  up to {top}", shades.join("  ")));
-    let missing = |code: &str| points.iter().any(|o| o.as_ref().is_err_and(|e| e.code() == code));
-    let signs = [("punch_on_plate", "P punch on a plate"), ("senseless", "? makes no sense")];
-    let signs: Vec<&str> = signs.into_iter().filter(|s| missing(s.0)).map(|s| s.1).collect();
+    page.line(&layer.title, format!("from: {}  up to {top}", shades.join("  ")));
+    let there = |sign: char| layer.cells.iter().any(|c| matches!(c, Cell::Sign(s) if *s == sign));
+    let signs = [
+        ('P', "P punch on a plate"),
+        ('?', "? makes no sense"),
+        ('s', "s slips through"),
+        ('X', "X cannot be checked"),
+    ];
+    let signs: Vec<&str> = signs.into_iter().filter(|s| there(s.0)).map(|s| s.1).collect();
     if !signs.is_empty() {
         page.line("", signs.join(", "));
     }
@@ -142,20 +213,11 @@ fn shade(value: f64, (least, most): (f64, f64)) -> char {
     SHADES[level.min(SHADES.len() - 1)]
 }
 
-fn cell(
-    outcome: &Outcome,
-    shown: Shown,
-    ends: (f64, f64),
-    width: usize,
-    unit: LengthUnit,
-) -> String {
-    let (sign, number) = match outcome {
-        Ok(p) => match shown.read(p) {
-            Some(v) => (shade(v, ends), shown.text(v, unit)),
-            None => (' ', String::new()),
-        },
-        Err(NoValue::PunchOnPlate) => ('P', String::new()),
-        Err(NoValue::Senseless(_)) => ('?', String::new()),
+fn cell(layer: &Layer, index: usize, width: usize, unit: LengthUnit) -> String {
+    let (sign, number) = match layer.cells.get(index) {
+        Some(Cell::Value(v)) => (shade(*v, layer.ends), layer.shown.text(*v, unit)),
+        Some(Cell::Sign(sign)) => (*sign, String::new()),
+        Some(Cell::Empty) | None => (' ', String::new()),
     };
     if width == NUMBER { format!("{sign}{number:<6}") } else { sign.to_string().repeat(width) }
 }

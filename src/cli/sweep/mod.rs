@@ -1,17 +1,21 @@
 //! `meshcast sweep`: one input over a range, or two over a grid.
 //!
-//! - [`text`]: a line plotted in characters; [`map`]: a grid as shaded cells; [`data`]: JSON and CSV.
+//! - [`text`]: a line plotted in characters; [`both`]: the same with checks; [`map`]: a grid as shaded
+//!   cells; [`data`]: JSON and CSV.
 
+mod both;
 mod data;
 mod map;
 mod text;
 
 use super::UiFlags;
 use super::case::Source;
-use super::output::{Fault, Outcome, TableFormat, result};
+use super::dem::{DemFlags, Done, Job};
+use super::output::{Fault, Outcome, Output, TableFormat};
 use crate::problem::Problem;
 use crate::study::case::{Case, Input};
-use crate::study::sweep::{Axis, Grid, Sweep, sweep};
+use crate::study::checks::Answer;
+use crate::study::sweep::{Axis, Grid, Sweep, dem, sweep};
 use crate::units::{LengthUnit, Quantity, parse};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -19,12 +23,15 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 /// F, delta and utilisation over a range of one input, or over a grid of two.
 ///
 /// Inputs: d, L, D, ex, ey (m), Fl (laboratory force F_l*, kN), dl (laboratory deflection delta_l*, m).
+/// With --dem each point by discrete elements too, unless Fl or dl is varied, which those do not know.
 #[derive(Debug, Args)]
 pub struct SweepArgs {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
     ranges: Ranges,
+    #[command(flatten)]
+    dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
@@ -75,6 +82,8 @@ struct Swept {
     name: Option<String>,
     case: Case,
     sweep: Sweep,
+    /// The check of each point, where checks are asked for.
+    checked: Option<Vec<Answer>>,
 }
 
 impl Ranges {
@@ -144,17 +153,56 @@ pub fn run(args: &SweepArgs, ui: &UiFlags) -> Outcome {
         };
         end(|axis| axis.from).or_else(|_| end(|axis| axis.to)).map_err(|_| fault)
     })?;
-    let swept: Vec<Swept> = loaded
+    let mut swept: Vec<Swept> = loaded
         .cases
         .into_iter()
         .map(|c| {
             let case = c.study();
-            Swept { sweep: sweep(&case, grid.clone()), name: c.name, case }
+            Swept { sweep: sweep(&case, grid.clone()), name: c.name, case, checked: None }
         })
         .collect();
-    match args.format {
-        TableFormat::Text => result(text::report(&swept, loaded.unit)),
-        TableFormat::Json => result(data::json(&swept, loaded.several)?),
-        TableFormat::Csv => result(data::csv(&swept, &grid, loaded.several)),
+    let wanted = args.dem.wanted();
+    let mut interrupted = false;
+    if let Some(wanted) = &wanted {
+        let jobs: Vec<Job> = swept.iter().flat_map(|s| jobs(s, &grid)).collect();
+        let done = args.dem.run(wanted, &jobs);
+        interrupted = done.interrupted;
+        put(&mut swept, &grid, done);
     }
+    let result = match args.format {
+        TableFormat::Text => text::report(&swept, wanted.as_ref(), loaded.unit),
+        TableFormat::Json => data::json(&swept, wanted.as_ref(), loaded.several)?,
+        TableFormat::Csv => data::csv(&swept, &grid, wanted.is_some(), loaded.several),
+    };
+    Ok(Output { result, interrupted, ..Output::default() })
+}
+
+/// The checks of a layout's points; none where a check does not know what is varied.
+fn jobs(s: &Swept, grid: &Grid) -> Vec<Job> {
+    let front = s.name.as_ref().map_or(String::new(), |name| format!("{name:?}, "));
+    let cases = dem::cases(&s.case, grid).unwrap_or_default();
+    let named =
+        |(index, case): (usize, Case)| Job { name: format!("{front}{}", point(grid, index)), case };
+    cases.into_iter().enumerate().map(named).collect()
+}
+
+/// Gives each layout its own answers.
+fn put(swept: &mut [Swept], grid: &Grid, done: Done) {
+    let mut answers = done.answers.into_iter();
+    for s in swept {
+        let own = match dem::cases(&s.case, grid) {
+            Ok(cases) => answers.by_ref().take(cases.len()).collect(),
+            Err(why) => vec![Err(why); grid.len()],
+        };
+        s.checked = Some(own);
+    }
+}
+
+/// A point by its inputs: `L 2.5 m, D 0.6 m`.
+fn point(grid: &Grid, index: usize) -> String {
+    let (first, second) = grid.at(index);
+    let of = |axis: &Axis, value| format!("{} {}", axis.input.word(), axis.input.text(value));
+    let second = grid.second.as_ref().zip(second).map(|(axis, value)| of(axis, value));
+    let all: Vec<String> = std::iter::once(of(&grid.first, first)).chain(second).collect();
+    all.join(", ")
 }

@@ -1,21 +1,23 @@
 //! A sweep as a text: a line of one input with its plot turned on its side, or a map of two.
 
-use super::{Swept, map};
+use super::{Swept, both, map, point};
+use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
 use crate::study::case::Outcome;
 use crate::study::sweep::{Axis, extent};
+use crate::study::verdict::Wanted;
 use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(swept: &[Swept], unit: LengthUnit) -> String {
+pub fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     if swept.is_empty() {
         return NO_LAYOUTS.to_string();
     }
-    let all: Vec<String> = swept.iter().map(|s| one(s, unit)).collect();
+    let all: Vec<String> = swept.iter().map(|s| one(s, wanted, unit)).collect();
     all.join("\n")
 }
 
-fn one(s: &Swept, unit: LengthUnit) -> String {
+fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     let mut page = Page::new(unit);
     let grid = &s.sweep.grid;
     page.inputs("sweep", s.name.as_deref(), grid.fingerprint(&s.case), &s.case);
@@ -34,11 +36,19 @@ fn one(s: &Swept, unit: LengthUnit) -> String {
             ),
         );
     }
-    match &grid.second {
-        None => line_plot(&mut page, s),
-        Some(second) => map::draw(&mut page, s, second),
+    if let Some(wanted) = wanted {
+        dem::plan(&mut page, wanted);
+    }
+    match (&grid.second, &s.checked) {
+        (None, None) => line_plot(&mut page, s),
+        (None, Some(answers)) => both::line_plot(&mut page, s, answers),
+        (Some(second), _) => map::draw(&mut page, s, second),
     }
     codes(&mut page, &s.sweep.points);
+    if let Some(answers) = &s.checked {
+        let named = answers.iter().enumerate().map(|(index, answer)| (point(grid, index), answer));
+        dem::notes(&mut page, named);
+    }
     page.line("basis", BASIS);
     page.text()
 }

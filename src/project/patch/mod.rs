@@ -238,7 +238,7 @@ fn one_layout(
             name,
             match (in_its_unit.or(new), *name) {
                 (Some(text), _) => Change::Set(text),
-                (None, "design_force" | "allowable_deflection") => Change::Unset,
+                (None, "design_force" | "allowable_deflection" | "check") => Change::Unset,
                 (None, "note") => Change::Set("\"\"".to_string()),
                 (None, "overlay") => Change::Set("false".to_string()),
                 (None, "branch") => Change::Set(is.branch.word().to_string()),

@@ -3,13 +3,14 @@
 //! kept in a project, enough to draw and to report from.
 //!
 //! - [`make`]: a layout's ensemble, watched from outside, and its verdict.
-//! - [`mean`]: the mean curve and its band; [`relief`]: the shape of the deformed net.
+//! - [`mean`]: the mean curve and its band; [`places`]: where wires broke first; [`relief`]: the shape of the deformed net.
 //!
 //! The numbers are rounded to [`DIGITS`] significant digits when a verdict is made, in the units in
 //! which a project holds them (kN, m, J), so that writing and reading one changes nothing.
 
 pub mod make;
 pub mod mean;
+pub mod places;
 pub mod relief;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread};

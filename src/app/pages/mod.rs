@@ -1,4 +1,7 @@
-//! The texts of help and details, as lines; drawing them is the business of `ui`.
+//! The texts of help and details, as lines; drawing them is the business of `ui`. [`check`] has the part
+//! that speaks of the check.
+
+mod check;
 
 use super::help;
 use super::{App, Mode};
@@ -83,6 +86,7 @@ pub fn details(app: &App, width: usize) -> Vec<PageLine> {
             for w in &forecast.warnings {
                 page.text(&format!("  ! {}", w.message()), 4);
             }
+            check::section(&mut page, app);
             numbers(&mut page, app, forecast);
         }
     }

@@ -1,8 +1,12 @@
 //! Sweep: one input over a range, or two inputs over a grid, by the forecast.
+//!
+//! - [`dem`]: the same by checks.
 
-use super::case::{Case, Input, Outcome};
+pub mod dem;
+
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::problem::Problem;
+use crate::study::case::{Case, Input, Outcome};
 use crate::units::without_noise;
 
 /// Most values of one axis.
@@ -192,7 +196,7 @@ pub fn sweep(base: &Case, grid: Grid) -> Sweep {
 /// Smallest and largest of what is read from the points that have values; nothing where none has.
 pub fn extent(
     points: &[Outcome],
-    read: impl Fn(&super::case::Point) -> Option<f64>,
+    read: impl Fn(&crate::study::case::Point) -> Option<f64>,
 ) -> Option<(f64, f64)> {
     points.iter().flatten().filter_map(read).fold(None, |extent, value| {
         let (least, most) = extent.unwrap_or((value, value));

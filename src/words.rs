@@ -1,14 +1,15 @@
-//! The known word nearest to a mistyped one.
+//! Mistyped words: how far two are apart, and the known one that was meant.
 
 /// The known word that differs least from `typed`, if it is near enough to be what was meant: at most
 /// one change for every three letters, capitals aside, or the only one that begins so.
 pub fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
-    let typed: Vec<char> = typed.trim().to_lowercase().chars().collect();
+    let typed = typed.trim().to_lowercase();
     known
         .iter()
         .map(|word| {
-            let letters: Vec<char> = word.to_lowercase().chars().collect();
-            (changes(&typed, &letters), letters.len().max(typed.len()), *word)
+            let lower = word.to_lowercase();
+            let longer = lower.chars().count().max(typed.chars().count());
+            (distance(&typed, &lower), longer, *word)
         })
         .filter(|(changes, length, _)| changes * 3 <= *length)
         .min_by_key(|(changes, ..)| *changes)
@@ -17,21 +18,21 @@ pub fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// The only known word that begins with what was typed, three letters at least.
-fn only_beginning<'a>(typed: &[char], known: &[&'a str]) -> Option<&'a str> {
-    let start: String = typed.iter().collect();
-    let mut longer = known.iter().filter(|word| word.to_lowercase().starts_with(&start));
-    let first = longer.next().filter(|_| typed.len() >= 3)?;
+fn only_beginning<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
+    let mut longer = known.iter().filter(|word| word.to_lowercase().starts_with(typed));
+    let first = longer.next().filter(|_| typed.chars().count() >= 3)?;
     longer.next().is_none().then_some(*first)
 }
 
-/// Letters to insert, remove or replace to make one word of the other.
-fn changes(a: &[char], b: &[char]) -> usize {
+/// Letters to insert, remove or replace to make one word of the other; capitals count.
+pub fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.iter().enumerate() {
+    for (i, x) in a.chars().enumerate() {
         let mut diagonal = row[0];
         row[0] = i + 1;
         for (j, y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != y);
+            let replaced = diagonal + usize::from(x != *y);
             diagonal = row[j + 1];
             row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
         }

@@ -3,8 +3,12 @@
 //!
 //! Step: 10 % of d, L, D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone;
 //! with L the offsets stay as they are in metres.
+//!
+//! - [`dem`]: the same by checks.
 
-use super::case::{Case, Input, Outcome};
+pub mod dem;
+
+use crate::study::case::{Case, Input, Outcome};
 use crate::units::without_noise;
 
 /// Step of d, L, D, F_l* and delta_l* as a part of the value.

@@ -1,0 +1,100 @@
+//! The part of the details that speaks of the check by simulation.
+
+use super::Page;
+use crate::app::App;
+use crate::app::checks::{LIVE_RUNS, Standing};
+use crate::dem::outcome::Quality;
+use crate::study::verdict::places::Places;
+use crate::study::verdict::{VERSION, Verdict};
+use crate::units::{force_text, length_text, significant, to_kj, to_kn};
+
+/// All there is to know of the check shown.
+pub fn section(page: &mut Page, app: &App) {
+    page.heading("Check by simulation");
+    let Some(shown) = app.shown_check() else {
+        page.text("  none yet: c checks this layout, C all of them, l after each edit", 2);
+        return;
+    };
+    let v = shown.verdict;
+    let m = |value: f64| length_text(value, app.units());
+    page.row(
+        "stands",
+        &match shown.standing {
+            Standing::Current => "for the inputs as they are".to_string(),
+            Standing::Live(_) => format!("live, {LIVE_RUNS} quick runs; c makes one that is kept"),
+            Standing::Stale if v.version != VERSION => {
+                format!("stale: made by version {}; c makes it again", v.version)
+            }
+            Standing::Stale => "stale: the inputs have changed since; c makes it again".into(),
+        },
+    );
+    let asked = v.wanted.runs.map_or("until the mean is known".to_string(), |n| n.to_string());
+    page.row("runs", &format!("{} ({asked}), seed {}", v.runs, v.wanted.seed));
+    page.row("fidelity", v.wanted.fidelity.word());
+    if v.broke() {
+        let kn = |value: f64| significant(to_kn(value), 3);
+        page.row(
+            "force at the first break",
+            &format!(
+                "{} +- {} (deviation); standard error {}",
+                force_text(v.force.mean),
+                kn(v.force.deviation),
+                kn(v.force.error)
+            ),
+        );
+        page.row(
+            "deflection there",
+            &format!("{} +- {}", m(v.deflection.mean), m(v.deflection.deviation)),
+        );
+        if v.breaks.len() > 1 {
+            page.row(
+                "5 to 95 %",
+                &format!(
+                    "{} to {}, {} to {}",
+                    kn(v.force.band[0]),
+                    force_text(v.force.band[1]),
+                    m(v.deflection.band[0]),
+                    m(v.deflection.band[1])
+                ),
+            );
+        }
+    }
+    page.row("peak", &format!("{} at {}", force_text(v.peak.force), m(v.peak.deflection)));
+    page.row("stiffness at 75 %", &format!("{} kN/m", significant(to_kn(v.k75), 3)));
+    page.row("energy to the first break", &format!("{} kJ", significant(to_kj(v.energy), 3)));
+    let places = Places::of(v, &app.layout().layout());
+    if !v.breaks.is_empty() && !shown.stale() {
+        page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
+    }
+    if v.slipped > 0 {
+        page.row("slipped through", &format!("{} of {} runs", v.slipped, v.runs));
+    }
+    quality(page, &v.quality);
+    remarks(page, v);
+    page.row("inputs", &format!("{} (fingerprint)", v.inputs));
+}
+
+fn quality(page: &mut Page, q: &Quality) {
+    let percent = |part: f64| format!("{} %", significant(100.0 * part, 2));
+    page.row("error estimate, worst run", &percent(q.error_estimate));
+    page.row("kinetic over internal energy", &percent(q.kinetic_over_internal));
+    page.row("energy out of balance", &percent(q.energy_balance));
+    page.row("support over punch force", &significant(q.support_over_punch, 3));
+}
+
+fn remarks(page: &mut Page, v: &Verdict) {
+    for warning in &v.warnings {
+        page.text(
+            &match warning.as_str() {
+                "bifurcation" => "  ! the answer depends on a millimetre of the punch's place: only the band counts, never one run".to_string(),
+                "diverged" => "  ! some runs ran away and were left out".into(),
+                "cancelled" => "  ! ended early: these are the runs made by then".into(),
+                other => format!("  ! {other}"),
+            },
+            4,
+        );
+    }
+    if v.force.error > 0.02 * v.force.mean && !v.partial() {
+        page.text("  ! the mean is not known to 2 %; more runs would tell (:runs auto)", 4);
+    }
+}

@@ -1,0 +1,61 @@
+//! The checks of a comparison as a second table below the forecasts.
+
+use super::Compared;
+use super::text::{NAME, cut};
+use crate::cli::dem::figures::Figures;
+use crate::cli::dem::text as dem;
+use crate::cli::page::{Page, percent};
+use crate::units::{LengthUnit, significant, to_kn};
+
+/// The table of the checks with what to know of them; nothing where none were asked for.
+pub fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
+    let Some((wanted, answers)) = &compared.checked else { return };
+    let rows = &compared.comparison.rows;
+    let unit = page.unit;
+    page.lines.push(String::new());
+    dem::plan(page, wanted);
+    page.lines.push(format!(
+        "  {:<NAME$}{:>8}{:>6}{:>14}{:>9}{:>8}{:>9}{:>8}",
+        "DEM", "F", "+-", "band", "over F_a", "delta", "over d_a", "use"
+    ));
+    let u = unit.symbol();
+    page.lines.push(format!(
+        "  {:<NAME$}{:>8}{:>6}{:>14}{:>9}{u:>8}{:>9}{:>8}",
+        "", "kN", "kN", "kN", "%", "%", "%"
+    ));
+    for index in order {
+        // As many answers as rows.
+        let (Some(row), Some(answer)) = (rows.get(*index), answers.get(*index)) else { continue };
+        let verdict = match answer {
+            Ok(verdict) => verdict,
+            Err(why) => {
+                let name = cut(&row.name, NAME);
+                page.lines.push(format!("  {name}{:>28}", why.short()));
+                continue;
+            }
+        };
+        let f = Figures::of(verdict, row.values().ok(), &row.case.question);
+        let none = || "-".to_string();
+        let over = |part: Option<f64>| part.map_or_else(none, |v| format!("{:+.1}", 100.0 * v));
+        let length = |v: f64| match unit {
+            LengthUnit::Metre => format!("{v:.3}"),
+            LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
+        };
+        let kn = |v: f64| significant(to_kn(v), 3);
+        let band =
+            f.force_band.map_or_else(none, |[low, high]| format!("{}-{}", kn(low), kn(high)));
+        page.lines.push(format!(
+            "  {}{:>8}{:>6}{band:>14}{:>9}{:>8}{:>9}{:>8}",
+            cut(&row.name, NAME),
+            f.mean.map_or_else(|| "none".into(), |v| kn(v.force)),
+            f.error.map_or_else(none, |e| significant(to_kn(e.force), 2)),
+            over(f.difference.map(|d| d.force)),
+            f.mean.map_or_else(none, |v| length(v.deflection)),
+            over(f.difference.map(|d| d.deflection)),
+            f.utilisation.map_or_else(none, percent),
+        ));
+    }
+    let named = rows.iter().zip(answers).map(|(row, answer)| (row.name.clone(), answer));
+    dem::notes(page, named);
+    page.lines.push(String::new());
+}

@@ -1,0 +1,190 @@
+//! Checks in the JSON of a study: SI with kN.
+
+use super::figures::Figures;
+use crate::cli::output::{number, optional};
+use crate::dem::Fidelity;
+use crate::forecast::Values;
+use crate::forecast::design::Question;
+use crate::study::checks::Answer;
+use crate::study::checks::change::{Change, Known};
+use crate::study::verdict::{Verdict, Wanted};
+use crate::units::{to_kn, without_noise};
+use serde::Serialize;
+
+/// What all checks of a study have in common.
+#[derive(Debug, Serialize)]
+pub struct PlanJson {
+    fidelity: Fidelity,
+    runs: Option<usize>,
+    seed: u64,
+    seeds: &'static str,
+}
+
+impl PlanJson {
+    /// Of what is asked.
+    pub fn of(wanted: &Wanted) -> PlanJson {
+        PlanJson {
+            fidelity: wanted.fidelity,
+            runs: wanted.runs,
+            seed: wanted.seed,
+            seeds: "the same in all cases",
+        }
+    }
+}
+
+/// A case's check in an object: it, or why it is missing. To be flattened.
+#[derive(Debug, Serialize)]
+pub struct CheckedJson<'a> {
+    dem: Option<DemJson<'a>>,
+    dem_missing: Option<&'static str>,
+    dem_reason: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct DemJson<'a> {
+    #[serde(serialize_with = "optional")]
+    F_kN: Option<f64>,
+    #[serde(serialize_with = "optional")]
+    delta_m: Option<f64>,
+    #[serde(serialize_with = "optional")]
+    utilisation: Option<f64>,
+    band: BandJson,
+    standard_error: ErrorJson,
+    runs: usize,
+    slipped: usize,
+    difference_pct: Option<DifferenceJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    change: Option<Option<ChangeJson>>,
+    fingerprint: String,
+    warnings: &'a [String],
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct BandJson {
+    F_kN: [Option<f64>; 2],
+    delta_m: [Option<f64>; 2],
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct ErrorJson {
+    #[serde(serialize_with = "optional")]
+    F_kN: Option<f64>,
+    #[serde(serialize_with = "optional")]
+    delta_m: Option<f64>,
+}
+
+/// Per cent of the forecast.
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct DifferenceJson {
+    #[serde(serialize_with = "number")]
+    F: f64,
+    #[serde(serialize_with = "number")]
+    delta: f64,
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct ChangeJson {
+    #[serde(serialize_with = "number")]
+    F_kN: f64,
+    #[serde(serialize_with = "number")]
+    delta_m: f64,
+    #[serde(serialize_with = "optional")]
+    utilisation: Option<f64>,
+    /// Parts of the base's values.
+    #[serde(serialize_with = "number")]
+    F: f64,
+    #[serde(serialize_with = "number")]
+    delta: f64,
+    standard_error: ChangeErrorJson,
+    /// Whether the errors are those of pairs of runs with the same seed.
+    paired: bool,
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+struct ChangeErrorJson {
+    #[serde(serialize_with = "optional")]
+    F_kN: Option<f64>,
+    #[serde(serialize_with = "optional")]
+    delta_m: Option<f64>,
+    #[serde(serialize_with = "optional")]
+    utilisation: Option<f64>,
+}
+
+impl<'a> CheckedJson<'a> {
+    /// Of an answer beside a forecast.
+    pub fn of(
+        answer: &'a Answer,
+        forecast: Option<Values>,
+        question: &Question,
+    ) -> CheckedJson<'a> {
+        CheckedJson {
+            dem: answer.as_ref().ok().map(|v| DemJson::of(v, forecast, question)),
+            dem_missing: answer.as_ref().err().map(|why| why.code()),
+            dem_reason: answer.as_ref().err().map(|why| why.reason()),
+        }
+    }
+
+    /// The same with the change against a study's base, which may be missing.
+    pub fn changed(mut self, change: Option<&Change>) -> CheckedJson<'a> {
+        if let Some(dem) = &mut self.dem {
+            dem.change = Some(change.map(ChangeJson::of));
+        }
+        self
+    }
+}
+
+impl<'a> DemJson<'a> {
+    fn of(verdict: &'a Verdict, forecast: Option<Values>, question: &Question) -> DemJson<'a> {
+        let f = Figures::of(verdict, forecast, question);
+        let both = |band: Option<[f64; 2]>, unit: fn(f64) -> f64| match band {
+            Some(band) => band.map(|v| Some(without_noise(unit(v)))),
+            None => [None; 2],
+        };
+        DemJson {
+            F_kN: f.mean.map(|v| to_kn(v.force)),
+            delta_m: f.mean.map(|v| v.deflection),
+            utilisation: f.utilisation,
+            band: BandJson {
+                F_kN: both(f.force_band, to_kn),
+                delta_m: both(f.deflection_band, |v| v),
+            },
+            standard_error: ErrorJson {
+                F_kN: f.error.map(|v| to_kn(v.force)),
+                delta_m: f.error.map(|v| v.deflection),
+            },
+            runs: verdict.runs,
+            slipped: verdict.slipped,
+            difference_pct: f
+                .difference
+                .map(|d| DifferenceJson { F: 100.0 * d.force, delta: 100.0 * d.deflection }),
+            change: None,
+            fingerprint: verdict.inputs.to_string(),
+            warnings: &verdict.warnings,
+        }
+    }
+}
+
+impl ChangeJson {
+    fn of(c: &Change) -> ChangeJson {
+        let error = |k: &Known| k.error;
+        ChangeJson {
+            F_kN: to_kn(c.force.value),
+            delta_m: c.deflection.value,
+            utilisation: c.utilisation.map(|k| k.value),
+            F: c.force_part,
+            delta: c.deflection_part,
+            standard_error: ChangeErrorJson {
+                F_kN: error(&c.force).map(to_kn),
+                delta_m: error(&c.deflection),
+                utilisation: c.utilisation.as_ref().and_then(error),
+            },
+            paired: c.paired,
+        }
+    }
+}

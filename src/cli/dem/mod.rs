@@ -1,0 +1,108 @@
+//! Checks beside the forecasts of a study: the flags that ask for them, and how they are run.
+//!
+//! - [`figures`]: what a check says, in one place for all forms; [`json`], [`csv`], [`text`]: the forms.
+
+pub mod csv;
+pub mod figures;
+pub mod json;
+pub mod text;
+
+use super::check::{fidelity, runs, threads};
+use super::watch::Watch;
+use crate::dem::Fidelity;
+use crate::dem::Flow;
+use crate::study::case::Case;
+use crate::study::checks::{Answer, NoCheck, RUNS, What, checks};
+use crate::study::verdict::Wanted;
+use clap::Args;
+use std::num::NonZeroUsize;
+
+/// Which checks a study makes. Quick fidelity and few runs, because a study is many checks; always as
+/// many runs, so that all cases have the same ones (see [`RUNS`]).
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Check by discrete elements, beside the forecast")]
+pub struct DemFlags {
+    /// Check each case too: runs with the same alignments and slack in all of them.
+    #[arg(long)]
+    dem: bool,
+    /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.
+    #[arg(long, value_name = "FIDELITY", requires = "dem", default_value = "quick", value_parser = fidelity())]
+    fidelity: Fidelity,
+    /// Number of runs of each check.
+    #[arg(long, value_name = "N", requires = "dem", default_value_t = RUNS, value_parser = runs)]
+    runs: usize,
+    /// Seed of alignments and slack.
+    #[arg(long, value_name = "S", requires = "dem", default_value_t = 0)]
+    seed: u64,
+    /// Threads; the result does not depend on them [default: as many as the machine has].
+    #[arg(long, value_name = "N", requires = "dem")]
+    threads: Option<NonZeroUsize>,
+}
+
+/// A case to check, by the name under which its progress is told.
+#[derive(Debug)]
+pub struct Job {
+    /// Its name.
+    pub name: String,
+    /// The case.
+    pub case: Case,
+}
+
+/// What the jobs gave.
+#[derive(Debug, Default)]
+pub struct Done {
+    /// One answer a job, in their order.
+    pub answers: Vec<Answer>,
+    /// Whether the user ended it early.
+    pub interrupted: bool,
+}
+
+/// How far a run goes on after its first break where nobody says otherwise, m; only for the guess of
+/// the time left.
+const AFTER_BREAK: f64 = 0.05;
+
+impl DemFlags {
+    /// What is asked of each check; nothing where none is asked for.
+    pub fn wanted(&self) -> Option<Wanted> {
+        self.dem.then_some(Wanted {
+            fidelity: self.fidelity,
+            runs: Some(self.runs),
+            seed: self.seed,
+        })
+    }
+
+    /// Checks the jobs, with progress on standard error and Ctrl+C.
+    pub fn run(&self, wanted: &Wanted, jobs: &[Job]) -> Done {
+        let watch = Watch::start();
+        let cases: Vec<Case> = jobs.iter().map(|job| job.case.clone()).collect();
+        // Until the first run of a case has ended, its end is expected where the forecast has it.
+        let ends: Vec<f64> = cases
+            .iter()
+            .map(|case| {
+                let reached = case.outcome().map(|p| p.values().deflection);
+                reached.unwrap_or(0.2 * case.layout.spacing) + AFTER_BREAK
+            })
+            .collect();
+        let answers = checks(&cases, wanted, threads(self.threads), &|news| match news.what {
+            What::Progress(now) => {
+                let (part, parts) = (news.index, news.total);
+                let label = match jobs.get(part) {
+                    Some(job) if parts > 1 => format!("{} ({} of {parts})", job.name, part + 1),
+                    _ => "check".to_string(),
+                };
+                watch.part(&label, part, parts, ends.get(part).copied().unwrap_or(1.0));
+                watch.tell(now)
+            }
+            What::Done(_) if watch.cancelled() => Flow::Cancel,
+            What::Done(_) => Flow::Continue,
+        });
+        let made = answers.iter().flatten().count();
+        watch.finish(&format!("{made} of {} checks", answers.len()));
+        // An interrupt that came when all was done took nothing away.
+        let short = |a: &Answer| match a {
+            Ok(verdict) => verdict.partial(),
+            Err(why) => *why == NoCheck::NotMade,
+        };
+        Done { interrupted: answers.iter().any(short), answers }
+    }
+}

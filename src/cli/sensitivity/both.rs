@@ -1,0 +1,199 @@
+//! Tornadoes of forecast and check side by side, on one scale, so that they can be compared.
+
+use super::Studied;
+use crate::cli::dem::figures::Figures;
+use crate::cli::dem::text as dem;
+use crate::cli::page::{Page, percent};
+use crate::study::case::Outcome;
+use crate::study::checks::Answer;
+use crate::study::sensitivity::dem::{CheckedBar, CheckedSensitivity, CheckedStep};
+use crate::study::sensitivity::{Effect, Step};
+use crate::units::{LengthUnit, force_text, significant, to_kn};
+
+/// Cells of a tornado on each side of its middle.
+const HALF: usize = 7;
+
+/// The check of the case itself.
+pub fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
+    let verdict = match &checked.base {
+        Ok(verdict) => verdict,
+        Err(why) => return page.line("CHECK", format!("none: {}", why.reason())),
+    };
+    let forecast = s.sensitivity.base.as_ref().ok().map(|p| p.values());
+    let f = Figures::of(verdict, forecast, &s.case.question);
+    let Some(mean) = f.mean else { return page.line("CHECK", "no run broke a wire") };
+    let error = f
+        .error
+        .map_or(String::new(), |e| format!(" (standard error {})", significant(to_kn(e.force), 2)));
+    let mut text =
+        format!("F {}{error}, delta {}", force_text(mean.force), page.length(mean.deflection));
+    if let Some(utilisation) = f.utilisation {
+        text.push_str(&format!(", use {} %", percent(utilisation)));
+    }
+    if let Some(d) = f.difference {
+        let parts = [100.0 * d.force, 100.0 * d.deflection];
+        text.push_str(&format!("; over forecast {:+.1} %, {:+.1} %", parts[0], parts[1]));
+    }
+    page.line("CHECK", text);
+}
+
+/// Changes with as many decimals as the largest of them needs for three digits, so that they stand
+/// under each other.
+struct Scale {
+    effect: Effect,
+    unit: LengthUnit,
+    decimals: usize,
+}
+
+impl Scale {
+    fn new(effect: Effect, unit: LengthUnit, most: f64) -> Scale {
+        let largest = in_unit(most, effect, unit);
+        // From none for hundreds to six for what is next to nothing.
+        let decimals = if largest > 0.0 { 2.0 - largest.log10().floor() } else { 0.0 };
+        Scale { effect, unit, decimals: decimals.clamp(0.0, 6.0) as usize }
+    }
+
+    fn text(&self, change: f64) -> String {
+        let text = format!("{:+.*}", self.decimals, in_unit(change, self.effect, self.unit));
+        // What is rounded to nothing has no sign.
+        if text.chars().all(|c| "+-0.".contains(c)) { "0".to_string() } else { text }
+    }
+
+    /// A size without a sign.
+    fn size(&self, change: f64) -> String {
+        self.text(change.abs()).trim_start_matches('+').to_string()
+    }
+}
+
+/// A change in the unit that is shown.
+fn in_unit(change: f64, effect: Effect, unit: LengthUnit) -> f64 {
+    match effect {
+        Effect::Force => to_kn(change),
+        Effect::Deflection => change * unit.per_metre(),
+        Effect::Utilisation => change * 100.0,
+    }
+}
+
+/// One effect: the inputs by its size in the forecast.
+pub fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effect: Effect) {
+    let unit = page.unit;
+    let bars = s.sensitivity.by(effect);
+    let by_check = checked.bars.iter().map(|bar| bar.largest(effect)).fold(0.0, f64::max);
+    let most = bars.first().map_or(0.0, |bar| bar.largest(effect)).max(by_check);
+    let title = match effect {
+        Effect::Force => "change of F, kN".to_string(),
+        Effect::Deflection => format!("change of delta, {}", unit.symbol()),
+        Effect::Utilisation => "change of use, %".to_string(),
+    };
+    let scale = Scale::new(effect, unit, most);
+    let bars_to = scale.size(most);
+    page.lines.push(String::new());
+    page.lines.push(format!("{title:<24}bars to {bars_to} each way; ~ within two standard errors"));
+    let side = |word: &str| format!("{:>9}{:>9}  {word:<15}", "lowered", "raised");
+    page.lines
+        .push(format!("{:<9}{} {}", "", side("FORECAST"), side("DEM")).trim_end().to_string());
+    for bar in bars {
+        let Some(other) = checked.bar(bar.input) else { continue };
+        let forecast = |step: &Step| match (step.change.and_then(|c| c.of(effect)), &step.outcome) {
+            (Some(change), _) => {
+                let jump = step.change.is_some_and(|c| c.other_branch);
+                scale.text(change) + if jump { "*" } else { " " }
+            }
+            (None, outcome) => missing(outcome),
+        };
+        let sizes = |low: Option<f64>, high: Option<f64>| drawing([low, high], most);
+        let of = |step: &Step| step.change.and_then(|c| c.of(effect));
+        let line = format!(
+            "{:<9}{:>9}{:>9}  {} {:>9}{:>9}  {}",
+            bar.input.symbol(),
+            forecast(&bar.lowered),
+            forecast(&bar.raised),
+            sizes(of(&bar.lowered), of(&bar.raised)),
+            found(&other.lowered, &scale),
+            found(&other.raised, &scale),
+            sizes(value(&other.lowered, effect), value(&other.raised, effect)),
+        );
+        page.lines.push(line.trim_end().to_string());
+    }
+    if let Some(error) = largest_error(checked, effect) {
+        let text = scale.size(error);
+        page.lines.push(format!("{:<9}standard error of the DEM's changes: up to {text}", ""));
+    }
+}
+
+fn missing(outcome: &Outcome) -> String {
+    outcome.as_ref().err().map_or("- ", |why| why.short()).to_string()
+}
+
+fn value(step: &CheckedStep, effect: Effect) -> Option<f64> {
+    step.change.and_then(|c| c.of(effect)).map(|known| known.value)
+}
+
+/// A change by the check in words.
+fn found(step: &CheckedStep, scale: &Scale) -> String {
+    match step.change.and_then(|c| c.of(scale.effect)) {
+        Some(known) => scale.text(known.value) + if known.doubtful() { "~" } else { " " },
+        None => "- ".to_string(),
+    }
+}
+
+/// The two bars from the middle, `|`, to both sides: `-` lowered, `=` raised, `#` both.
+fn drawing(changes: [Option<f64>; 2], most: f64) -> String {
+    let half = HALF as isize;
+    let [low, high] = changes.map(|change| {
+        // At most HALF by the choice of `most`.
+        if most > 0.0 { (change.unwrap_or(0.0) / most * HALF as f64).round() as isize } else { 0 }
+    });
+    let covers = |end: isize, at: isize| {
+        if end < 0 { (end..0).contains(&at) } else { (1..=end).contains(&at) }
+    };
+    (-half..=half)
+        .map(|at| match (at, covers(low, at), covers(high, at)) {
+            (0, ..) => '|',
+            (_, true, true) => '#',
+            (_, true, false) => '-',
+            (_, false, true) => '=',
+            _ => ' ',
+        })
+        .collect()
+}
+
+fn largest_error(checked: &CheckedSensitivity, effect: Effect) -> Option<f64> {
+    let steps = checked.bars.iter().flat_map(|bar| [&bar.lowered, &bar.raised]);
+    steps.filter_map(|s| s.change.and_then(|c| c.of(effect))?.error).reduce(f64::max)
+}
+
+/// What to know of the checks.
+pub fn notes(page: &mut Page, checked: &CheckedSensitivity) {
+    let end = |bar: &CheckedBar, step: &CheckedStep| {
+        format!("{} {}", bar.input.symbol(), bar.input.text(step.value))
+    };
+    let mut all: Vec<(String, &Answer)> = vec![("the layout itself".to_string(), &checked.base)];
+    for bar in &checked.bars {
+        for step in [&bar.lowered, &bar.raised] {
+            all.push((end(bar, step), &step.answer));
+        }
+    }
+    dem::notes(page, all.iter().map(|(name, answer)| (name.clone(), *answer)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changes_have_the_decimals_of_the_largest() {
+        let m = Scale::new(Effect::Deflection, LengthUnit::Metre, 0.0712);
+        assert_eq!([m.text(0.0712), m.text(-0.000_27)], ["+0.0712", "-0.0003"]);
+        assert_eq!([m.text(-0.000_01), m.size(-0.0142)], ["0", "0.0142"]);
+        let mm = Scale::new(Effect::Deflection, LengthUnit::Millimetre, 0.0712);
+        assert_eq!(mm.text(-0.0712), "-71.2");
+        let kn = Scale::new(Effect::Force, LengthUnit::Metre, 123.0e3);
+        assert_eq!([kn.text(99.6e3), kn.text(0.0)], ["+100", "0"]);
+        assert_eq!(Scale::new(Effect::Force, LengthUnit::Metre, 0.0).text(0.0), "0");
+        // Both ways onto the same side, and one way each.
+        assert_eq!(drawing([Some(1.0), Some(0.5)], 1.0), "       |####---");
+        assert_eq!(drawing([Some(-1.0), Some(0.5)], 1.0), "-------|====   ");
+        assert_eq!(drawing([None, None], 0.0), "       |       ");
+    }
+}

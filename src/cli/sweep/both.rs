@@ -1,0 +1,107 @@
+//! A sweep of one input with its checks: both side by side, and the forces plotted with their bands.
+
+use super::Swept;
+use super::text::deflection;
+use crate::cli::dem::figures::Figures;
+use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
+use crate::study::case::Outcome;
+use crate::study::checks::Answer;
+use crate::study::sweep::{dem, extent};
+use crate::units::{significant, to_kn};
+
+/// Columns of the forecast and of the check, without those of the utilisation.
+const FORECAST: usize = 16;
+const CHECK: usize = 22;
+/// Columns of a utilisation.
+const USE: usize = 7;
+
+/// The line of the forecast, the points of the check beside it, and the plot turned on its side.
+pub fn line_plot(page: &mut Page, s: &Swept, answers: &[Answer]) {
+    let (unit, input, points) = (page.unit, s.sweep.grid.first.input, &s.sweep.points);
+    let forces = extent(points, |p| Some(p.values().force));
+    let ends = [forces, dem::extent(answers)].into_iter().flatten();
+    let Some((least, most)) = ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else {
+        return page.line("field", "no value anywhere in the range");
+    };
+    let kn = |v: f64| significant(to_kn(v), 3);
+    let asked = s.case.question.force.is_some();
+    let text = format!(
+        "F from {} to {} kN: F forecast, D mean of the DEM in its band ---, * both",
+        kn(least),
+        kn(most)
+    );
+    page.line("plot", text);
+    page.lines.push(String::new());
+    let more = if asked { USE } else { 0 };
+    let head = format!("{} {}", input.symbol(), input_unit(input, unit));
+    let symbol = unit.symbol();
+    let used = if asked { format!("{:>USE$}", "use %") } else { String::new() };
+    let (left, right) = (FORECAST + more + 2, CHECK + more);
+    page.lines.push(format!("{:>10}{:^left$}{:^right$}", "", "FORECAST", "DEM").trim_end().into());
+    let delta = format!("delta {symbol}");
+    page.lines.push(format!(
+        "{head:>10}{:>7}{delta:>9}{used}  {:>7}{:>6}{delta:>9}{used}",
+        "F kN", "F kN", "+-"
+    ));
+    let width = WIDTH - 10 - left - right - 3;
+    for ((at, outcome), answer) in s.sweep.grid.columns.iter().zip(points).zip(answers) {
+        let forecast = outcome.as_ref().ok().map(|p| p.values());
+        let theirs = match outcome {
+            Ok(p) => {
+                let v = p.values();
+                let used =
+                    p.utilisation().map_or(String::new(), |u| format!("{:>USE$}", percent(u)));
+                let mark = if p.doubtful() { " !" } else { "" };
+                format!("{:>7}{:>9}{used}{mark}", kn(v.force), deflection(v.deflection, unit))
+            }
+            Err(why) => format!("{:>FORECAST$}", why.short()),
+        };
+        let figures = answer.as_ref().ok().map(|v| Figures::of(v, forecast, &s.case.question));
+        let ours = match (figures, answer) {
+            (Some(f), _) => match f.mean {
+                Some(v) => {
+                    let error = f.error.map_or("-".into(), |e| significant(to_kn(e.force), 2));
+                    let used =
+                        f.utilisation.map_or(String::new(), |u| format!("{:>USE$}", percent(u)));
+                    let reached = deflection(v.deflection, unit);
+                    format!("{:>7}{error:>6}{reached:>9}{used}", kn(v.force))
+                }
+                None => format!("{:>CHECK$}", "no break"),
+            },
+            (None, Err(why)) => format!("{:>CHECK$}", why.short()),
+            (None, Ok(_)) => String::new(),
+        };
+        let drawn = row(width, (least, most), outcome, figures);
+        let at = input_value(input, *at, unit);
+        page.lines.push(format!("{at:>10}{theirs:<left$}{ours:<right$} |{drawn}|"));
+    }
+    page.lines.push(String::new());
+    page.lines.push("+-  standard error of the mean of the runs".to_string());
+}
+
+/// One line of the plot.
+fn row(
+    width: usize,
+    (least, most): (f64, f64),
+    outcome: &Outcome,
+    figures: Option<Figures>,
+) -> String {
+    let place = |value: f64| {
+        let part = if most > least { (value - least) / (most - least) } else { 0.5 };
+        (part.clamp(0.0, 1.0) * (width - 1) as f64).round() as usize
+    };
+    let mut cells = vec![' '; width];
+    if let Some([low, high]) = figures.and_then(|f| f.force_band) {
+        // Both ends are within the row, and low is not above high.
+        cells[place(low)..=place(high)].fill('-');
+    }
+    let mean = figures.and_then(|f| f.mean).map(|v| place(v.force));
+    if let Some(at) = mean {
+        cells[at] = 'D';
+    }
+    if let Ok(p) = outcome {
+        let at = place(p.values().force);
+        cells[at] = if mean == Some(at) { '*' } else { 'F' };
+    }
+    cells.into_iter().collect()
+}

@@ -1,0 +1,255 @@
+//! Checks of layouts behind the screen.
+
+use super::desk::Ticket;
+use super::order::{News, Order, Progress, What};
+use super::pace::Pace;
+use crate::curve::Point;
+use crate::dem::Flow;
+use crate::layout::Layout;
+use crate::mesh::MeshType;
+use crate::study::ensemble::{EnsembleProgress, Run, summary};
+use crate::study::verdict::make::{Made, Told, fingerprint, make, wires};
+use crate::study::verdict::relief::Relief;
+use crate::study::verdict::{Verdict, Wanted};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Least time between two words of progress: four a second.
+const QUIET: Duration = Duration::from_millis(250);
+/// Punch displacement between two points of a growing curve, m.
+const SPACING: f64 = 0.008;
+
+/// Checks to be made, one after the other.
+#[derive(Debug, Clone)]
+pub struct Checks {
+    /// What to check.
+    pub targets: Vec<Target>,
+    /// How.
+    pub wanted: Wanted,
+    /// Whether nobody asked for it: then what the runs so far say is told as they come.
+    pub live: bool,
+}
+
+/// A layout to check.
+#[derive(Debug, Clone)]
+pub struct Target {
+    /// Which layout it is.
+    pub uid: u64,
+    /// Its geometry.
+    pub layout: Layout,
+    /// Its mesh.
+    pub mesh: Arc<MeshType>,
+    /// Deflection at which it is expected to break, m.
+    pub expected: f64,
+}
+
+/// What is known of the runs of one layout.
+struct Seen {
+    pace: Pace,
+    curves: Vec<Vec<Point>>,
+    runs: Vec<(usize, Run)>,
+    spoke: Option<Instant>,
+    done: usize,
+}
+
+impl Checks {
+    /// Makes them, until the ticket says to end.
+    pub(super) fn carry_out(&self, order: &Order, ticket: &Ticket, tell: &(dyn Fn(News) + Sync)) {
+        let say = |what: What| tell(News { number: order.number, what });
+        let start = Instant::now();
+        for (part, target) in self.targets.iter().enumerate() {
+            if ticket.cancelled() {
+                return;
+            }
+            let mut pace = Pace::default();
+            let behind = self.wanted.controls().after_break;
+            pace.begin(part, self.targets.len(), target.expected + behind);
+            let seen = Mutex::new(Seen {
+                pace,
+                curves: Vec::new(),
+                runs: Vec::new(),
+                // Not before a quarter of a second has passed is there anything worth a frame.
+                spoke: Some(start),
+                done: 0,
+            });
+            let listen = |told: Told| {
+                // Nothing that holds the lock can panic halfway.
+                let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
+                match told {
+                    Told::Progress(now) => {
+                        seen.progress(&now);
+                        if seen.due() {
+                            let progress = seen.told(part, self.targets.len(), target, &now, start);
+                            drop(seen);
+                            say(What::Progress(progress));
+                        }
+                    }
+                    Told::Finished(k, run) => {
+                        let first = seen.done == 0;
+                        seen.done += 1;
+                        if self.live && !ticket.cancelled() {
+                            seen.runs.push((k, run.clone()));
+                            if first || seen.due() {
+                                let made = self.so_far(&seen, target);
+                                drop(seen);
+                                if let Some(made) = made {
+                                    say(What::Made {
+                                        uid: target.uid,
+                                        made: Arc::new(made),
+                                        more: true,
+                                        live: true,
+                                    });
+                                }
+                            }
+                        }
+                    }
+                }
+                if ticket.cancelled() { Flow::Cancel } else { Flow::Continue }
+            };
+            let (layout, uid) = (&target.layout, target.uid);
+            match make(layout, &target.mesh, &self.wanted, order.threads, &listen) {
+                // A live check that was overtaken is of no use to anybody.
+                Ok(_) if self.live && ticket.cancelled() => {}
+                Ok(made) => {
+                    say(What::Made { uid, made: Arc::new(made), more: false, live: self.live })
+                }
+                Err(problems) => say(What::Refused { uid, problems }),
+            }
+        }
+    }
+
+    /// What the runs so far say.
+    fn so_far(&self, seen: &Seen, target: &Target) -> Option<Made> {
+        let mut runs = seen.runs.clone();
+        runs.sort_by_key(|(k, _)| *k);
+        let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
+        let relief = net.map(|net| Relief::of(net, target.layout.spacing));
+        let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
+        let wire = wires(&target.mesh).ok()?;
+        let inputs = fingerprint(&target.layout, wire, &self.wanted);
+        let mut verdict = Verdict::of(&ensemble, &self.wanted, inputs);
+        // A first run goes on behind its break; the mean of several does not, and the chart would jump.
+        if let Some(end) = verdict.curve.failure {
+            let before = verdict.curve.points().filter(|p| p.deflection <= end.deflection).count();
+            verdict.curve.deflection.truncate(before);
+            verdict.curve.force.truncate(before);
+        }
+        Some(Made { verdict, relief })
+    }
+}
+
+impl Seen {
+    fn progress(&mut self, now: &EnsembleProgress) {
+        self.pace.take(now.run, now.planned, &now.inner);
+        if self.curves.len() <= now.run {
+            self.curves.resize(now.run + 1, Vec::new());
+        }
+        let curve = &mut self.curves[now.run];
+        let point = Point { deflection: now.inner.deflection, force: now.inner.force };
+        match curve.last() {
+            // A run that is repeated begins anew.
+            Some(last) if last.deflection > point.deflection => *curve = vec![point],
+            Some(last) if point.deflection - last.deflection < SPACING => {}
+            _ => curve.push(point),
+        }
+    }
+
+    /// Whether it is time for another word; if so it counts as spoken.
+    fn due(&mut self) -> bool {
+        let due = self.spoke.is_none_or(|at| at.elapsed() >= QUIET);
+        if due {
+            self.spoke = Some(Instant::now());
+        }
+        due
+    }
+
+    fn told(
+        &self,
+        part: usize,
+        parts: usize,
+        target: &Target,
+        now: &EnsembleProgress,
+        start: Instant,
+    ) -> Progress {
+        Progress {
+            uid: target.uid,
+            part,
+            parts,
+            done: self.done,
+            planned: now.planned,
+            fraction: self.pace.fraction(),
+            left: self.pace.left(start.elapsed().as_secs_f64()),
+            curves: self.curves.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::order::Task;
+    use super::*;
+    use crate::dem::Fidelity;
+    use crate::layout::REFERENCE;
+    use crate::mesh::catalogue;
+
+    fn order(live: bool, spacings: &[f64]) -> Order {
+        let target = |(uid, spacing): (usize, &f64)| Target {
+            uid: uid as u64,
+            layout: Layout { spacing: *spacing, punch: 0.5, ..REFERENCE },
+            mesh: catalogue::reference(),
+            expected: 0.3,
+        };
+        let targets = spacings.iter().enumerate().map(target).collect();
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 0 };
+        Order { number: 7, task: Task::Checks(Checks { targets, wanted, live }), threads: 2 }
+    }
+
+    fn news(order: &Order, ticket: &Ticket) -> Vec<What> {
+        let heard = Mutex::new(Vec::new());
+        order.carry_out(ticket, &|news| {
+            assert_eq!(news.number, 7);
+            heard.lock().unwrap().push(news.what);
+        });
+        heard.into_inner().unwrap()
+    }
+
+    #[test]
+    fn every_layout_gets_its_result_or_its_reason() {
+        // The second cannot be: the punch is wider than the panel.
+        let heard = news(&order(false, &[1.5, 0.4, 1.4]), &Ticket::default());
+        let results: Vec<String> = heard
+            .iter()
+            .filter_map(|what| match what {
+                What::Made { uid, made, more: false, .. } => {
+                    Some(format!("{uid}: {} runs", made.verdict.runs))
+                }
+                What::Refused { uid, .. } => Some(format!("{uid}: refused")),
+                What::Ended { cancelled } => Some(format!("ended {cancelled}")),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(results, ["0: 3 runs", "1: refused", "2: 3 runs", "ended false"]);
+    }
+
+    #[test]
+    fn a_live_check_tells_its_first_run_at_once() {
+        let heard = news(&order(true, &[1.5]), &Ticket::default());
+        let made: Vec<(usize, bool)> = heard
+            .iter()
+            .filter_map(|what| match what {
+                What::Made { made, more, .. } => Some((made.verdict.runs, *more)),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(made.first(), Some(&(1, true)));
+        assert_eq!(made.last(), Some(&(3, false)));
+    }
+
+    #[test]
+    fn a_cancelled_order_ends_and_says_so() {
+        let ticket = Ticket::default();
+        ticket.cancel();
+        let heard = news(&order(false, &[1.5, 1.4]), &ticket);
+        assert!(matches!(heard.as_slice(), [What::Ended { cancelled: true }]));
+    }
+}

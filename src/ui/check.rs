@@ -1,0 +1,156 @@
+//! The check by simulation: its lines in the answer, its curves on the chart, its progress.
+
+use super::canvas::{Canvas, Pattern, Pen};
+use super::chart::Scale;
+use super::text::put;
+use super::theme::Theme;
+use crate::app::App;
+use crate::app::checks::{Shown, Standing};
+use crate::curve::{Curve, Point};
+use crate::job::pace::duration;
+use crate::study::verdict::places::Places;
+use crate::units::{force_text, length_text, significant, to_kn};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+/// The sign of the mean first break on the chart.
+pub const SIGN: &str = "o";
+
+/// What is said of the check in the answer, the most important first.
+pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
+    let Some(shown) = app.shown_check() else {
+        return match app.live_refusal() {
+            Some(why) => vec![(format!("no check: {why}"), theme.caution)],
+            None => Vec::new(),
+        };
+    };
+    let verdict = shown.verdict;
+    let style = if shown.stale() { theme.caution } else { theme.check };
+    let mut lines = vec![(figures(app, &shown), style)];
+    if verdict.bifurcation() {
+        lines.push(("! a millimetre decides: band only".into(), theme.caution));
+    }
+    let runs = match shown.standing {
+        Standing::Live(true) => format!("{} of {}", verdict.runs, crate::app::checks::LIVE_RUNS),
+        _ => verdict.runs.to_string(),
+    };
+    let word = if runs == "1" { "run" } else { "runs" };
+    let difference = difference(app, &shown).map_or(String::new(), |(force, deflection)| {
+        format!("F {force:+.0} %, delta {deflection:+.0} %; ")
+    });
+    let cut = if verdict.partial() { ", ended early" } else { "" };
+    lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
+    let places = Places::of(verdict, &app.layout().layout()).text();
+    if !places.is_empty() && !shown.stale() {
+        lines.push((format!(" breaks: {places}"), theme.text));
+    }
+    lines
+}
+
+/// Force and deflection with their deviation.
+fn figures(app: &App, shown: &Shown) -> String {
+    let verdict = shown.verdict;
+    let label = match shown.standing {
+        Standing::Live(_) => "live",
+        Standing::Current | Standing::Stale => "DEM",
+    };
+    let stale = if shown.stale() { " stale" } else { "" };
+    if !verdict.broke() {
+        return format!("{label} no break, peak {}{stale}", force_text(verdict.peak.force));
+    }
+    let mean = significant(to_kn(verdict.force.mean), 3);
+    let deviation = match verdict.breaks.len() {
+        0 | 1 => String::new(),
+        _ => {
+            // As many decimals as the mean has.
+            let decimals = mean.rsplit_once('.').map_or(0, |(_, d)| d.len());
+            format!("+-{:.decimals$}", to_kn(verdict.force.deviation))
+        }
+    };
+    format!(
+        "{label} {mean}{deviation} kN {}{stale}",
+        length_text(verdict.deflection.mean, app.units())
+    )
+}
+
+/// Difference of the check from the forecast, %, of the inputs as they are.
+fn difference(app: &App, shown: &Shown) -> Option<(f64, f64)> {
+    let field = app.result().forecast()?.field?;
+    let (verdict, values) = (shown.verdict, field.values);
+    (verdict.broke() && !shown.stale()).then(|| {
+        let part = |check: f64, forecast: f64| 100.0 * (check / forecast - 1.0);
+        (part(verdict.force.mean, values.force), part(verdict.deflection.mean, values.deflection))
+    })
+}
+
+/// How far the chart must reach for the check.
+pub fn reach(app: &App) -> Point {
+    let mut reach = Point::default();
+    let mut hold = |p: Point| {
+        reach.force = reach.force.max(p.force);
+        reach.deflection = reach.deflection.max(p.deflection);
+    };
+    if let Some(shown) = app.shown_check() {
+        shown.verdict.curve.points().for_each(&mut hold);
+        let top = shown.verdict.band[1].iter().copied().fold(0.0, f64::max);
+        hold(Point { force: top, deflection: 0.0 });
+    }
+    app.growing().iter().flatten().copied().for_each(&mut hold);
+    reach
+}
+
+/// Draws the mean curve, its band, and the runs under way.
+pub(super) fn curves(app: &App, scale: &Scale, canvas: &mut Canvas, theme: &Theme) {
+    let thin = Pen { style: theme.check, pattern: Pattern::Dashed(1, 3), ascii: Some(',') };
+    let growing = app.growing();
+    for run in growing {
+        canvas.line(run.iter().map(|p| scale.dot(*p, canvas)).collect::<Vec<_>>(), thin);
+    }
+    let Some(shown) = app.shown_check().filter(|_| growing.is_empty()) else { return };
+    let verdict = shown.verdict;
+    for limit in verdict.band.iter().filter(|limit| !limit.is_empty()) {
+        let curve = Curve {
+            deflection: verdict.curve.deflection.clone(),
+            force: limit.clone(),
+            failure: None,
+        };
+        canvas.line(scale.dots(&curve, canvas), thin);
+    }
+    let pattern = if shown.stale() { Pattern::Dashed(1, 2) } else { Pattern::Dashed(4, 2) };
+    let pen = Pen { style: theme.check, pattern, ascii: Some('o') };
+    canvas.line(scale.dots(&verdict.curve, canvas), pen);
+    for broken in &verdict.breaks {
+        let (x, y) = scale.dot(broken.at, canvas);
+        canvas.dot(x.floor() as i32, y.floor() as i32, Pen { pattern: Pattern::Solid, ..thin });
+    }
+}
+
+/// Puts the sign at the mean first break.
+pub(super) fn marks(app: &App, scale: &Scale, plot: Rect, buf: &mut Buffer, theme: &Theme) {
+    let Some(shown) = app.shown_check().filter(|_| app.growing().is_empty()) else { return };
+    if let Some(end) = shown.verdict.curve.failure
+        && let Some((column, row)) = scale.cell(end, plot)
+    {
+        put(buf, plot, row, column, SIGN, theme.check);
+    }
+}
+
+/// How far the user's check has come, in a line.
+pub fn progress(app: &App) -> Option<String> {
+    let running = app.running()?;
+    let Some(p) = &running.progress else {
+        return Some("checking; Esc ends it".into());
+    };
+    let layouts = &app.project().layouts;
+    let name = layouts.iter().find(|l| l.uid == p.uid).map_or("", |l| l.name.as_str());
+    let part =
+        if p.parts > 1 { format!(" ({} of {})", p.part + 1, p.parts) } else { String::new() };
+    Some(format!(
+        "checking {name}{part}: {} of {} runs, {:.0} %, {} left; Esc ends it",
+        p.done,
+        p.planned,
+        100.0 * p.fraction,
+        duration(p.left)
+    ))
+}

@@ -1,0 +1,37 @@
+//! The deformed net as lines of equal height in the plan.
+
+use super::canvas::{Canvas, Pattern, Pen};
+use super::theme::Theme;
+use crate::app::App;
+
+/// Heights at which lines are drawn, over the largest height.
+pub const LEVELS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
+
+/// Draws the lines of the result shown, if its shape is known. `reach` is the width of the plan in m.
+pub fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
+    let Some(relief) = app.shown_check().and_then(|shown| shown.relief) else { return };
+    if relief.highest <= 0.0 {
+        return;
+    }
+    let pen = Pen { style: theme.check, pattern: Pattern::Solid, ascii: Some('.') };
+    let (width, height) = canvas.dots();
+    // Which band of height a dot is in; a line runs where neighbours differ.
+    let band = |x: i32, y: i32| {
+        let px = (f64::from(x) + 0.5) / f64::from(width) * reach - reach / 2.0;
+        let py = reach / 2.0 - (f64::from(y) + 0.5) / f64::from(height) * reach;
+        let part = relief.at(px, py) / relief.highest;
+        LEVELS.iter().filter(|level| part > **level).count()
+    };
+    for y in 0..height {
+        for x in 0..width {
+            let here = band(x, y);
+            if here > band(x + 1, y)
+                || here > band(x - 1, y)
+                || here > band(x, y + 1)
+                || here > band(x, y - 1)
+            {
+                canvas.dot(x, y, pen);
+            }
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Checks by simulation through the program's state: the work is done here, at once and on this thread
+//! or the next, and its news are given to the state.
+
+use crate::harness::*;
+use meshcast::app::App;
+use meshcast::app::checks::Standing;
+use meshcast::app::message::{Effect, Message};
+use meshcast::job::order::{Progress, Task, What};
+use meshcast::job::{News, Order, Ticket};
+use meshcast::layout::Layout;
+use meshcast::mesh::REFERENCE_ID;
+use meshcast::project::schema::{NamedLayout, Project};
+use std::sync::Mutex;
+
+/// Two small cells, which take milliseconds, and one that cannot be: the punch is on a plate.
+fn small() -> Project {
+    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
+    let mut project = Project::starter("Small");
+    project.layouts = vec![
+        NamedLayout::new("one", layout(1.3, 0.0), REFERENCE_ID),
+        NamedLayout::new("two", layout(1.4, 0.0), REFERENCE_ID),
+        NamedLayout::new("on a plate", layout(1.4, 0.7), REFERENCE_ID),
+    ];
+    project
+}
+
+fn app() -> App {
+    let mut app = start(small(), (80, 24), COLOR);
+    press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>");
+    app
+}
+
+/// The news of an order, in the order in which they come on one thread.
+fn news(order: &Order) -> Vec<News> {
+    let heard = Mutex::new(Vec::new());
+    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
+    heard.into_inner().unwrap()
+}
+
+/// Does the work that was asked for; tells how many orders there were.
+fn work(app: &mut App, effects: Vec<Effect>) -> usize {
+    let orders: Vec<Order> = effects
+        .into_iter()
+        .filter_map(|effect| match effect {
+            Effect::Work(order) => Some(order),
+            _ => None,
+        })
+        .collect();
+    for order in &orders {
+        for news in news(order) {
+            let more = app.update(Message::Work(news));
+            assert!(more.is_empty(), "{more:?}");
+        }
+    }
+    orders.len()
+}
+
+fn check(app: &mut App, script: &str) -> usize {
+    let effects = press(app, script);
+    work(app, effects)
+}
+
+#[test]
+fn a_check_is_kept_goes_stale_and_comes_back() {
+    let mut app = app();
+    assert_eq!(check(&mut app, "c"), 1);
+    assert!(app.edited(), "a check that was asked for is kept with the project");
+    let shown = app.shown_check().unwrap();
+    assert_eq!(shown.standing, Standing::Current);
+    assert_eq!(shown.verdict.runs, 2);
+    let force = shown.verdict.force.mean;
+    assert!(shown.relief.is_some());
+    press(&mut app, "<Down><Right>");
+    assert!(app.shown_check().unwrap().stale());
+    assert!(text(&app).contains("stale"), "{}", text(&app));
+    press(&mut app, "u");
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+    // Undoing past the check takes the inputs back and not the result.
+    press(&mut app, "<Right>");
+    check(&mut app, "c");
+    assert_ne!(app.shown_check().unwrap().verdict.force.mean, force);
+    press(&mut app, "u");
+    assert!(app.shown_check().unwrap().stale(), "the newer result belongs to the other value");
+    press(&mut app, "U");
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+    assert!(!text(&app).contains("stale"));
+}
+
+#[test]
+fn all_layouts_are_checked_in_one_go() {
+    let mut app = app();
+    assert_eq!(check(&mut app, "C"), 1);
+    let standing = |i: usize| app.kept_check(i).map(|shown| shown.standing);
+    assert_eq!(standing(0), Some(Standing::Current));
+    assert_eq!(standing(1), Some(Standing::Current));
+    assert_eq!(standing(2), None);
+    let said = app.status().unwrap().text.clone();
+    assert_eq!(said, "2 of 3 layouts checked; not possible: on a plate");
+}
+
+#[test]
+fn a_mesh_without_wires_is_refused_in_words() {
+    let mut project = small();
+    let mut mesh = (*project.mesh(&project.layouts[0]).unwrap()).clone();
+    mesh.wire = None;
+    project.meshes = vec![meshcast::project::MeshUse::Inline(mesh.into())];
+    let mut app = start(project, (80, 24), COLOR);
+    check(&mut app, "c");
+    let said = app.status().unwrap().text.clone();
+    assert!(said.contains("no wire data"), "{said}");
+    assert!(app.shown_check().is_none() && !app.edited());
+}
+
+#[test]
+fn live_checks_follow_edits_and_leave_the_project_alone() {
+    let mut app = app();
+    let effects = press(&mut app, "l");
+    assert_eq!(work(&mut app, effects), 1, "switching it on is reason enough");
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Live(false));
+    assert!(!app.edited());
+    // A key that changes no input starts nothing.
+    assert_eq!(check(&mut app, "n<Esc>?q"), 0);
+    // Of two edits the newer order is the one whose result is shown.
+    let first = press(&mut app, "<Down><Right>");
+    let [Effect::Work(first)] = &first[..] else { panic!("{first:?}") };
+    assert!(app.shown_check().unwrap().stale(), "the old result is not the new inputs'");
+    let second = press(&mut app, "<Right>");
+    for late in news(first) {
+        app.update(Message::Work(late));
+    }
+    assert!(app.shown_check().unwrap().stale());
+    work(&mut app, second);
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Live(false));
+    // The kept one goes first, and no live check is made where it is current.
+    check(&mut app, "c");
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+    assert_eq!(check(&mut app, "<Tab>"), 1);
+    assert_eq!(check(&mut app, "<BackTab>"), 0);
+    press(&mut app, "l");
+    assert_eq!(check(&mut app, "<Tab><Right>"), 0, "switched off");
+}
+
+#[test]
+fn escape_ends_what_runs_and_what_is_done_is_kept() {
+    let mut app = app();
+    let effects = press(&mut app, "c");
+    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let uid = app.layout().uid;
+    let progress = Progress {
+        uid,
+        parts: 1,
+        done: 1,
+        planned: 2,
+        fraction: 0.5,
+        left: 3.0,
+        ..Progress::default()
+    };
+    app.update(Message::Work(News { number: order.number, what: What::Progress(progress) }));
+    let bottom = text(&app).lines().last().unwrap().to_string();
+    assert_eq!(bottom, " checking one: 1 of 2 runs, 50 %, 3 s left; Esc ends it");
+    let effects = press(&mut app, "<Esc>");
+    assert!(matches!(&effects[..], [Effect::StopWork]));
+    // The worker does what it is told: here the first run is done and the second is not.
+    let mut short = order.clone();
+    let Task::Checks(checks) = &mut short.task;
+    checks.wanted.runs = Some(1);
+    for news in news(&short) {
+        let what = match news.what {
+            What::Ended { .. } => What::Ended { cancelled: true },
+            other => other,
+        };
+        app.update(Message::Work(News { what, ..news }));
+    }
+    assert_eq!(app.shown_check().unwrap().verdict.runs, 1);
+    assert!(app.running().is_none());
+    let effects = press(&mut app, "<C-g>");
+    assert!(effects.is_empty(), "there is nothing to end any more");
+    assert!(app.status().unwrap().text.contains("nothing is running"));
+}
+
+#[test]
+fn a_fault_in_the_worker_leaves_the_program_ready() {
+    let mut app = app();
+    let effects = press(&mut app, "c");
+    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    app.update(Message::Trouble("a part of the program failed and was stopped".into()));
+    app.update(Message::Work(News { number: order.number, what: What::Failed }));
+    assert!(app.running().is_none());
+    assert_eq!(check(&mut app, "c"), 1);
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+}
+
+#[test]
+fn screens_with_a_check() {
+    for (name, size, look) in [
+        ("80x24_color", (80, 24), COLOR),
+        ("80x24_mono", (80, 24), MONO),
+        ("80x24_ascii", (80, 24), ASCII),
+        ("120x40_color", (120, 40), COLOR),
+        ("200x60_color", (200, 60), COLOR),
+        ("40x12_color", (40, 12), COLOR),
+    ] {
+        let mut app = start(small(), size, look);
+        press(&mut app, ":runs 3<Enter>:fidelity quick<Enter>");
+        check(&mut app, "c");
+        press(&mut app, "<Down>");
+        insta::assert_snapshot!(format!("check_{name}"), styled(&app));
+    }
+    let mut app = app();
+    check(&mut app, "c");
+    press(&mut app, "<Right>i");
+    insta::assert_snapshot!("check_details", text(&app));
+}
