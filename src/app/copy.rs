@@ -10,7 +10,8 @@ const SENT: &str = "copied, if the terminal takes OSC 52";
 
 /// Columns of the table, tabs between them; names and units as in the CSV of an export.
 const COLUMNS: &str = "layout\tmesh\td_m\tL_m\tD_m\tex_m\tey_m\tF_kN\tdelta_m\tdesign_F_kN\t\
-                       utilisation\tload_delta_m\tallowable_delta_m\tallowable_F_kN\twarnings";
+                       utilisation\tload_delta_m\tallowable_delta_m\tallowable_F_kN\tcheck_F_kN\t\
+                       check_delta_m\tcheck_stale\twarnings";
 
 impl App {
     /// Copies the answer of the selected layout.
@@ -62,6 +63,14 @@ impl App {
                 if forecast.extrapolated() {
                     text += ", extrapolated";
                 }
+                if let Some(shown) = self.shown_check().filter(|shown| shown.verdict.broke()) {
+                    text += &format!(
+                        "; check {}, {}{}",
+                        force_text(shown.verdict.force.mean),
+                        m(shown.verdict.deflection.mean),
+                        if shown.stale() { " (stale)" } else { "" }
+                    );
+                }
                 text
             }
         };
@@ -75,7 +84,9 @@ impl App {
     /// All layouts with their results, a line each, tabs between the columns.
     pub fn layouts_table(&self) -> String {
         let mut table = format!("{COLUMNS}\n");
-        for (layout, result) in self.project().layouts.iter().zip(self.results()) {
+        let layouts = self.project().layouts.iter().zip(self.results());
+        for (index, (layout, result)) in layouts.enumerate() {
+            let check = self.kept_check(index).filter(|shown| shown.verdict.broke());
             let forecast = result.forecast();
             let field = forecast.and_then(|f| f.field).map(|f| f.values);
             let at_force = result.design.and_then(|d| d.at_force);
@@ -101,6 +112,9 @@ impl App {
                 plain(at_force.and_then(|a| a.deflection)),
                 plain(layout.allowable_deflection),
                 kn(at_deflection.map(|a| a.force)),
+                kn(check.map(|c| c.verdict.force.mean)),
+                plain(check.map(|c| c.verdict.deflection.mean)),
+                check.map_or(String::new(), |c| c.stale().to_string()),
                 warnings.join(" "),
             ];
             table.push_str(&cells.join("\t"));

@@ -87,7 +87,7 @@ pub enum Mode {
     },
     /// A screen of the tour.
     Tour {
-        /// Which one, an index of [`tour::STOPS`].
+        /// Which one, an index of [`tour::stops`].
         stop: usize,
     },
     /// Take back edits kept from a session that was cut off?

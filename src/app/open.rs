@@ -182,8 +182,9 @@ impl App {
     pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Effect> {
         match result {
             Ok(opened) => {
+                let stop = self.forget_work();
                 self.adopt(opened);
-                Vec::new()
+                stop.into_iter().collect()
             }
             Err(failure) => match &mut self.mode {
                 Mode::Open(picker) => {

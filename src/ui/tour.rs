@@ -2,7 +2,7 @@
 
 use super::text::{clear, heading, put};
 use super::theme::Theme;
-use crate::app::tour::STOPS;
+use crate::app::tour::stops;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -11,7 +11,8 @@ const WIDEST: u16 = 60;
 
 /// Draws a screen of the tour in the middle of the area, or over all of a small one.
 pub fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let Some(shown) = STOPS.get(stop) else { return };
+    let stops = stops();
+    let Some(shown) = stops.get(stop) else { return };
     let width = area.width.min(WIDEST);
     let columns = usize::from(width.saturating_sub(4)).max(10);
     let lines: Vec<String> = shown.lines.iter().flat_map(|line| wrapped(line, columns)).collect();
@@ -23,7 +24,7 @@ pub fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
         height,
     };
     clear(buf, place);
-    let count = format!("{} of {}", stop + 1, STOPS.len());
+    let count = format!("{} of {}", stop + 1, stops.len());
     heading(buf, place, shown.title, &count, theme);
     // A small screen has no room for air.
     let top = if usize::from(height) >= lines.len() + 4 { 2 } else { 1 };

@@ -272,3 +272,126 @@ fn edits_kept_of_the_opened_project_are_offered() {
     assert_eq!(app.project().name, "North side, mended");
     assert!(app.edited());
 }
+
+#[test]
+fn help_lies_over_every_screen_and_gives_it_back() {
+    for (screen, first) in [
+        ("", "Main screen"),
+        ("i", "Help and details"),
+        ("m", "Mesh list"),
+        ("<Right>q", "Unsaved edits"),
+        (":set<Enter><Down>", "Settings"),
+        ("O", "List of projects"),
+        ("<Right>:open x.ron<Enter>", "Unsaved edits before opening"),
+        (":tour<Enter><Right>", "Tour"),
+        ("r<C-u>new name", "While typing"),
+    ] {
+        let mut app = app();
+        press(&mut app, screen);
+        let before = text(&app);
+        let help = if first == "While typing" { "<F1>" } else { "?" };
+        for back in ["q", "<Esc>", "?", "<F1>"] {
+            press(&mut app, help);
+            let shown = text(&app);
+            assert!(shown.lines().nth(2).unwrap().trim() == first, "{screen}: {shown}");
+            press(&mut app, "<Down> ");
+            press(&mut app, back);
+            assert_eq!(text(&app), before, "{screen} {back}");
+        }
+    }
+    let mut app = app();
+    press(&mut app, ":set<Enter>?");
+    snapshot("help_on_settings", &app);
+}
+
+#[test]
+fn the_answer_the_table_and_the_page_are_copied() {
+    let mut app = app();
+    let copied = |effects: Vec<Effect>| {
+        let [Effect::Copy { text }] = &effects[..] else { panic!("{effects:?}") };
+        text.clone()
+    };
+    press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
+    // Table 1, test 1: 22.8 kN; 20 / 22.8 is 88 %.
+    let line = copied(press(&mut app, "y"));
+    assert!(line.starts_with("bench 2: F_a 22.8 kN, delta_a 0."), "{line}");
+    assert!(line.contains("use 88 % at 20.0 kN"), "{line}");
+    assert!(line.contains("d 0.25 m, L 2.5"), "{line}");
+    assert!(line.ends_with("mesh dt-8x10-2.7") && !line.contains('\n'), "{line}");
+    assert!(text(&app).contains("copied, if the terminal takes OSC 52"));
+
+    press(&mut app, "r<C-u>a\tb<Enter>");
+    let table = copied(press(&mut app, "Y"));
+    let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split('\t').collect()).collect();
+    assert_eq!(rows.len(), 6);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{table}");
+    let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
+    assert_eq!(rows[1][column("d_m")], "0.25");
+    assert!(rows[1][column("F_kN")].starts_with("22.8"), "{table}");
+    assert_eq!(rows[1][column("design_F_kN")], "20.000");
+    assert_eq!(rows[2][column("design_F_kN")], "");
+
+    let page = copied(press(&mut app, "iY"));
+    assert!(page.contains("Laboratory to field") && page.contains("Curve (Eq. 3)"), "{page}");
+    assert!(matches!(app.mode(), Mode::Details { .. }));
+}
+
+#[test]
+fn the_tour_is_shown_once_in_at_most_five_screens() {
+    let first_run = || with(Preferences { tour: true, auto: MONO, ..Preferences::default() });
+    let count = meshcast::app::tour::stops().len();
+    let mut app = first_run();
+    for stop in 1..=count {
+        assert!(text(&app).contains(&format!("{stop} of {count}")), "{}", text(&app));
+        snapshot(&format!("tour_{stop}"), &app);
+        if stop < count {
+            assert!(press(&mut app, ["<Enter>", " ", "<Right>"][stop % 3]).is_empty());
+        }
+    }
+    press(&mut app, "<Left><Right>");
+    let effects = press(&mut app, "<Enter>");
+    assert!(matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.tour_seen));
+    assert!(matches!(app.mode(), Mode::Main));
+    // Shown again when asked for; seen once is seen.
+    press(&mut app, ":tour<Enter>");
+    assert!(text(&app).contains(&format!("1 of {count}")));
+    assert!(press(&mut app, "q").is_empty());
+    // It can be left at once, and keys of the main screen do nothing below it.
+    for end in ["q", "<Esc>"] {
+        let mut app = first_run();
+        press(&mut app, "ax<Down>");
+        assert_eq!(app.project().layouts.len(), 5);
+        assert!(matches!(press(&mut app, end)[..], [Effect::KeepSettings { .. }]));
+        assert!(matches!(app.mode(), Mode::Main));
+    }
+}
+
+#[test]
+fn the_tour_can_be_read_on_the_smallest_screen() {
+    for (width, height) in [(40, 12), (64, 18), (80, 24), (200, 60)] {
+        let mut app = app();
+        app.update(Message::Resize { width, height });
+        press(&mut app, ":tour<Enter>");
+        for stop in meshcast::app::tour::stops() {
+            let shown = text(&app);
+            let last = stop.lines.last().unwrap().split_whitespace().last().unwrap();
+            assert!(shown.contains(last), "{width}x{height}, {}: {shown}", stop.title);
+            press(&mut app, "<Right>");
+        }
+    }
+}
+
+#[test]
+fn a_check_of_the_former_project_ends_when_another_is_opened() {
+    let mut app = app();
+    assert!(matches!(press(&mut app, "c")[..], [Effect::Work(_)]));
+    press(&mut app, ":open north.ron<Enter>");
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+    assert!(app.running().is_none());
+    // Live mode switched off in the settings ends what it runs, too.
+    let effects = press(&mut app, "l");
+    assert!(effects.iter().any(|e| matches!(e, Effect::Work(_))), "{effects:?}");
+    let effects = press(&mut app, ":set live off<Enter>");
+    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+}
