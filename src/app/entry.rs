@@ -15,6 +15,8 @@ pub enum Target {
     Note,
     /// A command.
     Command,
+    /// A project to open.
+    File,
 }
 
 impl Target {
@@ -25,6 +27,7 @@ impl Target {
             Target::Name => "name",
             Target::Note => "note",
             Target::Command => ":",
+            Target::File => "open",
         }
     }
 }

@@ -2,6 +2,7 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
+use super::open::{Found, OpenFailure, OpenedProject};
 use super::settings::Settings;
 use crate::job::{News, Order};
 use crate::project::Project;
@@ -34,6 +35,10 @@ pub enum Message {
     Resumed,
     /// Settings were kept, with what the user should know of it, or could not be, and why.
     SettingsKept(Result<Option<String>, String>),
+    /// The project files that were found.
+    Projects(Vec<Found>),
+    /// Another project was opened, or could not be.
+    Opened(Result<OpenedProject, OpenFailure>),
 }
 
 /// A save that worked.
@@ -91,5 +96,18 @@ pub enum Effect {
     KeepSettings {
         /// What to keep.
         settings: Settings,
+    },
+    /// Put a text into the clipboard of the terminal, if it takes that.
+    Copy {
+        /// The text.
+        text: String,
+    },
+    /// Look for project files, and answer with [`Message::Projects`].
+    ListProjects,
+    /// Open a project in place of this one, and answer with [`Message::Opened`]. Unsaved edits of
+    /// this one are let go when that succeeds.
+    OpenProject {
+        /// Its file. A relative path is taken from the working directory.
+        path: PathBuf,
     },
 }

@@ -5,22 +5,28 @@
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
-//! - [`settings`]: what the user decided for all projects.
+//! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
+//!   by typed letters ([`fuzzy`]); [`copy`]: what goes to the clipboard; [`tour`]: the first run.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
 pub mod checks;
 pub mod command;
+pub mod copy;
 pub mod derived;
 pub mod edit;
 pub mod entry;
 pub mod field;
+pub mod fuzzy;
+pub mod help;
 pub mod history;
 pub mod key;
 pub mod keymap;
 pub mod look;
 pub mod message;
+pub mod open;
 pub mod pages;
 pub mod settings;
+pub mod tour;
 pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
@@ -72,11 +78,42 @@ pub enum Mode {
         /// The marked one, an index of [`settings::Item::ALL`].
         index: usize,
     },
+    /// Which project to open.
+    Open(open::Picker),
+    /// Open another project with unsaved edits in this one?
+    ConfirmOpen {
+        /// The other project's file.
+        path: PathBuf,
+    },
+    /// A screen of the tour.
+    Tour {
+        /// Which one, an index of [`tour::stops`].
+        stop: usize,
+    },
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.
         kept: Arc<Project>,
     },
+}
+
+impl Mode {
+    /// The screen whose keys hold now; none while text is typed.
+    fn context(&self) -> Option<Context> {
+        Some(match self {
+            Mode::Main => Context::Main,
+            Mode::Entry(_) => return None,
+            Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
+            Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::ConfirmQuit => Context::ConfirmQuit,
+            Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
+            Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
+            Mode::Settings { .. } => Context::Settings,
+            Mode::Open(_) => Context::Open,
+            Mode::ConfirmOpen { .. } => Context::ConfirmOpen,
+            Mode::Tour { .. } => Context::Tour,
+        })
+    }
 }
 
 /// How loud a message is.
@@ -115,6 +152,9 @@ pub struct App {
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
+    open_after_save: Option<PathBuf>,
+    /// What the help lies over; it comes back when the help is closed.
+    under_help: Box<Mode>,
     work: Work,
     preferences: Preferences,
     /// The settings that hold: the kept ones with the flags of this run over them.
@@ -161,12 +201,16 @@ impl App {
             size: start.size,
             dirty: true,
             quit_after_save: false,
+            open_after_save: None,
+            under_help: Box::new(Mode::Main),
             work: Work::default(),
             settings: start.preferences.effective(),
             preferences: start.preferences,
         };
         if let Some(kept) = start.kept {
             app.mode = Mode::ConfirmRecovery { kept };
+        } else if app.preferences.tour {
+            app.start_tour();
         }
         app.derive();
         app
@@ -244,16 +288,7 @@ impl App {
 
     /// The screen whose keys hold now; none while text is typed.
     pub fn context(&self) -> Option<Context> {
-        Some(match self.mode {
-            Mode::Main => Context::Main,
-            Mode::Entry(_) => return None,
-            Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
-            Mode::MeshPicker { .. } => Context::MeshPicker,
-            Mode::ConfirmQuit => Context::ConfirmQuit,
-            Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
-            Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
-            Mode::Settings { .. } => Context::Settings,
-        })
+        self.mode.context()
     }
 
     /// Whether something was asked to be drawn since this was asked last.

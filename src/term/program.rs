@@ -2,6 +2,7 @@
 
 use crate::app::look::Look;
 use crate::app::message::{Effect, Message, SaveFailure, Saved};
+use crate::app::open::{Found, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;
@@ -50,5 +51,16 @@ pub trait Host: Send + Sync {
     /// without a place for them forgets them.
     fn keep_settings(&self, _settings: &Settings) -> Result<Option<String>, String> {
         Ok(None)
+    }
+
+    /// Project files that can be opened: recent ones, then those near by.
+    fn list(&self) -> Vec<Found> {
+        Vec::new()
+    }
+
+    /// Opens a project in place of the present one, whose recovery file is dropped with it. When that
+    /// fails, the present one stays.
+    fn open(&self, _path: &Path) -> Result<OpenedProject, OpenFailure> {
+        Err(OpenFailure { message: "no other project can be opened here".to_owned() })
     }
 }

@@ -29,12 +29,14 @@ pub mod hint;
 pub mod inputs;
 pub mod layouts;
 pub mod mesh_picker;
+pub mod open;
 pub mod page;
 pub mod plan;
 pub mod ratios;
 pub mod settings;
 pub mod text;
 pub mod theme;
+pub mod tour;
 pub mod warnings;
 
 use crate::app::{App, Mode};
@@ -68,6 +70,7 @@ pub fn draw(app: &App, buf: &mut Buffer) {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
+        Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
             if fits(LARGE) {
@@ -79,6 +82,9 @@ pub fn draw(app: &App, buf: &mut Buffer) {
             }
             if let Some(context) = app.context() {
                 confirm::draw(context, middle, buf, &theme);
+            }
+            if let Mode::Tour { stop } = app.mode() {
+                tour::draw(*stop, middle, buf, &theme);
             }
         }
     }

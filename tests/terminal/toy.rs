@@ -54,6 +54,7 @@ fn child() {
     let options = Options {
         charset: surroundings.charset(None),
         autosave: autosave.map(Duration::from_millis),
+        ..Options::default()
     };
     let session = Session::open(options).unwrap();
     let mut toy = Toy {
@@ -102,6 +103,7 @@ impl Program for Toy {
             Message::Trouble(trouble) => self.say(&trouble),
             Message::Resumed => self.say("back again"),
             Message::HangUp | Message::Work(_) | Message::SettingsKept(_) => {}
+            Message::Projects(_) | Message::Opened(_) => {}
         }
         Vec::new()
     }

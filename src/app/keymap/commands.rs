@@ -33,6 +33,9 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "live on|off", help: "a quick check after each edit" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },
     CommandHelp { form: "help", help: "this help" },
+    CommandHelp { form: "open", help: "list of recent and near projects, as O (also :e)" },
+    CommandHelp { form: "open PATH", help: "open another project" },
+    CommandHelp { form: "tour", help: "the tour of the first run" },
     CommandHelp { form: "set", help: "the settings, kept for all projects" },
     CommandHelp {
         form: "set fidelity quick|standard|fine",

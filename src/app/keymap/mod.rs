@@ -109,6 +109,20 @@ pub enum Action {
     NextWord,
     /// Give the marked setting its previous word.
     PreviousWord,
+    /// Show the projects that can be opened.
+    Open,
+    /// Save, then open the other project.
+    SaveAndOpen,
+    /// Copy the layout's answer.
+    CopyAnswer,
+    /// Copy the table of all layouts.
+    CopyTable,
+    /// Copy the page being read.
+    CopyPage,
+    /// The next screen of the tour.
+    NextStop,
+    /// The screen of the tour before.
+    PreviousStop,
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.
@@ -128,11 +142,17 @@ pub enum Context {
     ConfirmRecovery,
     /// The list of settings.
     Settings,
+    /// The list of projects to open.
+    Open,
+    /// The question before opening another project with unsaved edits.
+    ConfirmOpen,
+    /// The tour of the first run.
+    Tour,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 7] = [
+    pub const ALL: [Context; 10] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -140,6 +160,9 @@ impl Context {
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
         Context::Settings,
+        Context::Open,
+        Context::ConfirmOpen,
+        Context::Tour,
     ];
 
     /// Heading in the help.
@@ -152,6 +175,9 @@ impl Context {
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
             Context::Settings => "Settings",
+            Context::Open => "List of projects",
+            Context::ConfirmOpen => "Unsaved edits before opening",
+            Context::Tour => "Tour",
         }
     }
 }
@@ -209,6 +235,14 @@ mod tests {
         let plain = |k: &Key| !k.alt && !k.shift && !matches!(k.code, Code::F(_));
         for b in all() {
             assert!(b.keys.iter().any(plain), "{:?} {:?}", b.context, b.action);
+        }
+    }
+
+    #[test]
+    fn every_screen_has_help() {
+        for context in Context::ALL {
+            let help = action(context, Key::char('?'));
+            assert_eq!(help, Some(Action::Help), "{context:?}");
         }
     }
 
