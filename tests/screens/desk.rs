@@ -84,7 +84,7 @@ fn a_flag_is_never_kept() {
     let mut app = with(Preferences { flags, ..Preferences::default() });
     assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
     let effects = press(&mut app, ":set live on<Enter>");
-    let [Effect::KeepSettings { settings }] = &effects[..] else { panic!("{effects:?}") };
+    let [Effect::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
     assert_eq!(app.settings().runs, Some(3));
 }

@@ -113,7 +113,7 @@ fn layouts_are_added_copied_renamed_moved_and_deleted() {
     assert_eq!(app.selected(), 1);
     press(&mut app, "r<C-u>portal<Enter>");
     assert!(text(&app).contains("another layout is already called"));
-    press(&mut app, "<C-u>new slope<Enter>y");
+    press(&mut app, "<C-u>new slope<Enter>d");
     assert_eq!(names(&app)[1..3], ["new slope", "new slope (2)"]);
     press(&mut app, "JJ");
     assert_eq!(names(&app)[4], "new slope (2)");
