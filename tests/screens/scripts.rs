@@ -329,7 +329,19 @@ fn an_unknown_key_says_where_the_keys_are() {
 #[test]
 fn every_size_is_drawn_without_panic_and_within_the_screen() {
     let mut app = app();
-    for script in ["", "o<Tab>", "?", "<Esc>i", "<Esc>m", "<Esc>r", "<Esc><Right>q", "<Esc>:w"] {
+    for script in [
+        "",
+        "o<Tab>",
+        "?",
+        "<Esc>i",
+        "<Esc>m",
+        "<Esc>r",
+        "<Esc><Right>q",
+        "<Esc>:w",
+        "<Esc>:set<Enter>",
+        "<Esc>O",
+        "<Esc>:tour<Enter>",
+    ] {
         press(&mut app, script);
         for width in [1, 20, 39, 40, 41, 63, 64, 79, 80, 81, 109, 110, 140, 300] {
             for height in [1, 5, 11, 12, 13, 23, 24, 25, 33, 34, 60, 100] {
