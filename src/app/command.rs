@@ -31,6 +31,8 @@ impl App {
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
             "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "export" => return self.export_command(rest, false),
+            "export!" => return self.export_command(rest, true),
             "check" => match rest {
                 "" => return Ok(self.start_check(false)),
                 "all" => return Ok(self.start_check(true)),

@@ -4,8 +4,10 @@
 use super::key::Key;
 use super::open::{Found, OpenFailure, OpenedProject};
 use super::settings::Settings;
+use crate::export::Kind;
 use crate::job::{News, Order};
 use crate::project::Project;
+use crate::units::LengthUnit;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -29,6 +31,8 @@ pub enum Message {
     Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.
     HangUp,
+    /// A file was written from the project, or why not.
+    Exported(Result<Exported, String>),
     /// News of work behind the screen.
     Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
@@ -63,6 +67,15 @@ pub struct SaveFailure {
     pub path: Option<PathBuf>,
 }
 
+/// A file that was written from the project.
+#[derive(Debug, Clone)]
+pub struct Exported {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What the user should know of it.
+    pub note: Option<String>,
+}
+
 /// Something to be done outside the state.
 #[derive(Debug, Clone)]
 pub enum Effect {
@@ -86,6 +99,23 @@ pub enum Effect {
     Work(Order),
     /// End what runs behind the screen.
     StopWork,
+    /// Write a report, a chart or a table, and answer with [`Message::Exported`].
+    Export {
+        /// What.
+        kind: Kind,
+        /// Of this project.
+        project: Arc<Project>,
+        /// Whether it has edits that are not in its file.
+        edited: bool,
+        /// The layout selected, an index.
+        layout: usize,
+        /// Unit of lengths.
+        unit: LengthUnit,
+        /// Where to; beside the project under a free name where nothing is said.
+        path: Option<PathBuf>,
+        /// Whether to replace a file that is there.
+        overwrite: bool,
+    },
     /// Give the terminal back and stop until continued.
     Suspend,
     /// Draw the whole screen anew.

@@ -24,6 +24,7 @@ pub mod keymap;
 pub mod look;
 pub mod message;
 pub mod open;
+pub mod output;
 pub mod pages;
 pub mod settings;
 pub mod tour;
@@ -62,6 +63,11 @@ pub enum Mode {
     /// The list of meshes with one marked.
     MeshPicker {
         /// The marked one, an index of [`App::meshes`].
+        index: usize,
+    },
+    /// The list of what can be written, with one marked.
+    Export {
+        /// The marked one, an index of [`crate::export::Kind::ALL`].
         index: usize,
     },
     /// Quit with unsaved edits?
@@ -105,6 +111,7 @@ impl Mode {
             Mode::Entry(_) => return None,
             Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
             Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::Export { .. } => Context::Export,
             Mode::ConfirmQuit => Context::ConfirmQuit,
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
             Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,

@@ -79,7 +79,7 @@ const STOPS: &[(&str, &[Line])] = &[
         "keep and share",
         &[
             Keys(Key::ctrl('s'), "Ctrl+S", "save", "save; :w does the same"),
-            Keys(Key::char('x'), "x", "export", "export a chart, a table, a report"),
+            Keys(Key::char('e'), "e", "export", "export a chart, a table, a report"),
             Keys(Key::char('y'), "y, Y", "copy", "copy the answer, the table"),
             Keys(Key::char('O'), "O", "open", "open another project"),
             Text("Settings: :set. This tour again: :tour"),

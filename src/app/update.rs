@@ -42,6 +42,10 @@ impl App {
                 effects.push(Effect::Quit);
                 effects
             }
+            Message::Exported(result) => {
+                self.exported(result);
+                Vec::new()
+            }
             Message::Work(news) => {
                 self.news(news);
                 Vec::new()
@@ -160,6 +164,9 @@ impl App {
             Action::PageUp => self.scroll(-self.page()),
             Action::PageDown => self.scroll(self.page()),
             Action::Take if matches!(self.mode, Mode::Open(_)) => return self.take_project(),
+            Action::Take if matches!(self.mode, Mode::Export { .. }) => {
+                return self.take_export();
+            }
             Action::Take => self.take_mesh(),
             // Going on without a decision would let new edits take the place of the kept ones.
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
@@ -187,6 +194,7 @@ impl App {
             Action::Live => return self.toggle_live(),
             Action::Fidelity => return self.next_fidelity(),
             Action::Stop => return self.stop_work(),
+            Action::Export => self.mode = Mode::Export { index: 0 },
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
         }
@@ -215,6 +223,10 @@ impl App {
         match &mut self.mode {
             Mode::Help { scroll } | Mode::Details { scroll } => {
                 *scroll = scroll.saturating_add_signed(lines).min(last);
+            }
+            Mode::Export { index } => {
+                let kinds = crate::export::Kind::ALL.len() as isize;
+                *index = (*index as isize + lines).rem_euclid(kinds) as usize;
             }
             Mode::MeshPicker { index } => {
                 *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;

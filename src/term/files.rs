@@ -1,8 +1,9 @@
 //! The real outside world: the project's file, its recovery file, the list of recent projects.
 
+use super::exports::{self, Wanted};
 use super::found;
 use super::program::Host;
-use crate::app::message::{SaveFailure, Saved};
+use crate::app::message::{Exported, SaveFailure, Saved};
 use crate::app::open::{Found, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
 use crate::project::{self, Document, Home, Opened, Overwrite, Project, SaveError, SaveReport};
@@ -85,6 +86,10 @@ impl Host for FileHost {
         let note = note.or_else(|| migrated(&document));
         *self.slot() = Arc::new(document);
         Ok(OpenedProject { project: Arc::new(project), path: path.to_path_buf(), note, kept })
+    }
+
+    fn export(&self, wanted: Wanted<'_>) -> Result<Exported, String> {
+        exports::write(&self.document(), wanted)
     }
 
     fn keep_settings(&self, settings: &Settings) -> Result<Option<String>, String> {

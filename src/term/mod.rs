@@ -19,6 +19,7 @@ mod cells;
 mod clipboard;
 mod error;
 mod events;
+mod exports;
 mod files;
 mod found;
 mod guard;
@@ -41,6 +42,7 @@ mod workshop;
 
 pub use error::TermError;
 pub use events::Mail;
+pub use exports::Wanted;
 pub use files::{FileHost, kept, migrated};
 pub use guard::restore;
 pub use keys::key_from;

@@ -2,6 +2,7 @@
 
 use super::clipboard;
 use super::events::Event;
+use super::exports::Wanted;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
@@ -156,6 +157,12 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             Effect::Suspend => {
                 self.suspend(true);
                 None
+            }
+            Effect::Export { kind, project, edited, layout, unit, path, overwrite } => {
+                let path = path.as_deref();
+                let wanted =
+                    Wanted { kind, project: &project, edited, layout, unit, path, overwrite };
+                Some(Message::Exported(self.host.export(wanted)))
             }
             Effect::Work(order) => return self.workshop.order(order),
             Effect::StopWork => {

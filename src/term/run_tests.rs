@@ -131,12 +131,11 @@ impl Program for NotedProgram {
             Message::Resize { width, height } => {
                 note(&self.notes, format!("size {width}x{height}"));
             }
-            Message::Paste(_) | Message::Key(_) | Message::Work(_) | Message::SettingsKept(_) => {}
             Message::Opened(_) => {
                 self.unsaved = None;
                 note(&self.notes, "opened");
             }
-            Message::Projects(_) => {}
+            _ => {}
         }
         Vec::new()
     }

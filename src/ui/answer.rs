@@ -75,10 +75,11 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         crate::forecast::field::Branch::SmallPunch => "small punch",
         crate::forecast::field::Branch::LargePunch => "large punch",
     };
-    let how = vec![
+    let mut how = vec![
         (format!("{branch}, {}", forecast.rule.word()), theme.text),
         (format!("lower bound; anchor {}", force_text(field.values.force)), theme.text),
     ];
+    how.extend(check::trust(app, theme));
     (lines, how)
 }
 

@@ -48,6 +48,14 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     lines
 }
 
+/// How far the check can be trusted, where there is room for it.
+pub fn trust(app: &App, theme: &Theme) -> Option<(String, Style)> {
+    let verdict = app.shown_check()?.verdict;
+    let error = significant(100.0 * verdict.quality.error_estimate, 2);
+    let text = format!("DEM {}: error est. {error} %", verdict.wanted.fidelity.word());
+    Some((text, theme.text))
+}
+
 /// Force and deflection with their deviation.
 fn figures(app: &App, shown: &Shown) -> String {
     let verdict = shown.verdict;

@@ -15,12 +15,14 @@ pub fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
     }
     let pen = Pen { style: theme.check, pattern: Pattern::Solid, ascii: Some('.') };
     let (width, height) = canvas.dots();
+    // A few characters hold one line, not four.
+    let levels = if width < 20 { &LEVELS[1..2] } else { &LEVELS[..] };
     // Which band of height a dot is in; a line runs where neighbours differ.
     let band = |x: i32, y: i32| {
         let px = (f64::from(x) + 0.5) / f64::from(width) * reach - reach / 2.0;
         let py = reach / 2.0 - (f64::from(y) + 0.5) / f64::from(height) * reach;
         let part = relief.at(px, py) / relief.highest;
-        LEVELS.iter().filter(|level| part > **level).count()
+        levels.iter().filter(|level| part > **level).count()
     };
     for y in 0..height {
         for x in 0..width {

@@ -25,6 +25,7 @@ pub mod check;
 pub mod compact;
 pub mod confirm;
 pub mod contours;
+pub mod export;
 pub mod hint;
 pub mod inputs;
 pub mod layouts;
@@ -69,6 +70,7 @@ pub fn draw(app: &App, buf: &mut Buffer) {
     match app.mode() {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
+        Mode::Export { index } => export::draw(app, *index, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
         Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),

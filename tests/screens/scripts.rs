@@ -351,3 +351,30 @@ fn every_size_is_drawn_without_panic_and_within_the_screen() {
         }
     }
 }
+
+#[test]
+fn what_is_written_is_chosen_from_a_list_or_named() {
+    use meshcast::app::message::Exported;
+    use meshcast::export::Kind;
+    let mut app = app();
+    press(&mut app, "<Tab><Tab>e");
+    insta::assert_snapshot!("export_list", text(&app));
+    let effects = press(&mut app, "<Down><Down><Enter>");
+    let [Effect::Export { kind: Kind::Chart, layout: 2, path: None, overwrite: false, .. }] =
+        &effects[..]
+    else {
+        panic!("{effects:?}")
+    };
+    let path = PathBuf::from("/site/road-cut-bench-3-chart.svg");
+    app.update(Message::Exported(Ok(Exported { path, note: None })));
+    assert_eq!(app.status().unwrap().text, "written: /site/road-cut-bench-3-chart.svg");
+    let effects = press(&mut app, ":export! report /tmp/r.html<Enter>");
+    let [Effect::Export { kind: Kind::ReportHtml, path: Some(path), overwrite: true, .. }] =
+        &effects[..]
+    else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(path, &PathBuf::from("/tmp/r.html"));
+    press(&mut app, ":export poem<Enter>");
+    assert!(text(&app).contains("export one of: report"), "{}", text(&app));
+}

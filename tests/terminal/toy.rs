@@ -102,8 +102,7 @@ impl Program for Toy {
             Message::Saved(Err(failure)) => self.say(&failure.message),
             Message::Trouble(trouble) => self.say(&trouble),
             Message::Resumed => self.say("back again"),
-            Message::HangUp | Message::Work(_) | Message::SettingsKept(_) => {}
-            Message::Projects(_) | Message::Opened(_) => {}
+            _ => {}
         }
         Vec::new()
     }

@@ -24,6 +24,11 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "units m|mm", help: "unit of lengths" },
     CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },
     CommandHelp { form: "color 16|none", help: "colours" },
+    CommandHelp { form: "export", help: "choose what to write to a file" },
+    CommandHelp {
+        form: "export KIND PATH",
+        help: "write report, markdown, chart, charts, plan, curves or table; export! replaces a file",
+    },
     CommandHelp { form: "check / check all", help: "check this layout, or all" },
     CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {

@@ -6,6 +6,7 @@
 mod bindings;
 mod commands;
 mod desk;
+mod output;
 
 pub use commands::{COMMANDS, CommandHelp};
 
@@ -105,6 +106,8 @@ pub enum Action {
     Fidelity,
     /// End what runs behind the screen.
     Stop,
+    /// Choose what to write to a file.
+    Export,
     /// Give the marked setting its next word.
     NextWord,
     /// Give the marked setting its previous word.
@@ -148,11 +151,13 @@ pub enum Context {
     ConfirmOpen,
     /// The tour of the first run.
     Tour,
+    /// The list of what can be written.
+    Export,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 10] = [
+    pub const ALL: [Context; 11] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -163,6 +168,7 @@ impl Context {
         Context::Open,
         Context::ConfirmOpen,
         Context::Tour,
+        Context::Export,
     ];
 
     /// Heading in the help.
@@ -178,6 +184,7 @@ impl Context {
             Context::Open => "List of projects",
             Context::ConfirmOpen => "Unsaved edits before opening",
             Context::Tour => "Tour",
+            Context::Export => "What to write",
         }
     }
 }
@@ -209,7 +216,7 @@ pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
 
 /// The bindings of all screens.
 pub fn all() -> impl Iterator<Item = &'static Binding> {
-    [BINDINGS, desk::BINDINGS].into_iter().flatten()
+    [BINDINGS, output::BINDINGS, desk::BINDINGS].into_iter().flatten()
 }
 
 #[cfg(test)]
