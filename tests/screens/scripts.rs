@@ -298,6 +298,7 @@ fn commands_of_the_help_are_known() {
         for form in command.form.split(" / ") {
             let form =
                 form.replace("PATH", "x.ron").replace("TEXT", "text").replace("ID", "dt-8x10-2.7");
+            let form = form.replace("KIND", "chart");
             let form = form.split('|').next().unwrap().replace('N', "2");
             let mut app = app();
             press(&mut app, &format!(":{form}<Enter>"));
