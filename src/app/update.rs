@@ -174,7 +174,10 @@ impl App {
             }
             Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
             Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
-            Action::Close => self.mode = Mode::Main,
+            Action::Close => {
+                self.open_after_save = None;
+                self.mode = Mode::Main;
+            }
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
@@ -356,6 +359,8 @@ impl App {
             }
             Err(failure) => {
                 if failure.overwrite_helps {
+                    // What was to be opened after the save waits for the answer.
+                    self.open_after_save = open;
                     self.mode = Mode::ConfirmOverwrite { path: failure.path, quit };
                 }
                 self.complain(failure.message);

@@ -97,7 +97,7 @@ fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_ow
     assert_eq!(opened.kept.unwrap().name, "left behind");
     assert!(!former.exists());
     assert!(left.exists());
-    assert_eq!(files.home.recent(), [other.clone()]);
+    assert_eq!(files.home.recent(), std::slice::from_ref(&other));
     assert_eq!(files.save(&edited(&project, "x"), None, false).unwrap().path, other);
     let found = files.list();
     let row = found.iter().find(|f| f.path == other).unwrap();

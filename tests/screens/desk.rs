@@ -84,7 +84,7 @@ fn a_flag_is_never_kept() {
     let mut app = with(Preferences { flags, ..Preferences::default() });
     assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
     let effects = press(&mut app, ":set live on<Enter>");
-    let [Effect::KeepSettings { settings }] = &effects[..] else { panic!("{effects:?}") };
+    let [Effect::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
     assert_eq!(app.settings().runs, Some(3));
 }
@@ -206,6 +206,26 @@ fn saving_first_and_then_opening() {
     };
     let effects = app.update(Message::Saved(Ok(saved)));
     assert_eq!(opens(&effects), Path::new("north.ron"));
+    // A file that changed on disk is asked about in between; the answer goes on, or ends it.
+    for (answer, goes_on) in [("o", true), ("<Esc><C-s>", false)] {
+        let mut app = self::app();
+        press(&mut app, "<Right>:open north.ron<Enter>s");
+        let failure = meshcast::app::message::SaveFailure {
+            message: "changed by something else".into(),
+            overwrite_helps: true,
+            path: None,
+        };
+        app.update(Message::Saved(Err(failure)));
+        let effects = press(&mut app, answer);
+        let [Effect::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
+        let saved = meshcast::app::message::Saved {
+            project: project.clone(),
+            path: "/site/road-cut.ron".into(),
+            note: None,
+        };
+        let effects = app.update(Message::Saved(Ok(saved)));
+        assert_eq!(matches!(effects[..], [Effect::OpenProject { .. }]), goes_on, "{answer}");
+    }
     // A save that fails opens nothing, then and later.
     let mut app = self::app();
     press(&mut app, "<Right>:open north.ron<Enter>s");
