@@ -2,6 +2,7 @@
 
 use super::field::Field;
 use super::key::{Code, Key};
+use super::studies::typed::Typed;
 use tui_input::{Input, InputRequest};
 
 /// What the text is for.
@@ -15,6 +16,8 @@ pub enum Target {
     Note,
     /// A command.
     Command,
+    /// Something on a page of a study.
+    Study(Typed),
 }
 
 impl Target {
@@ -25,6 +28,7 @@ impl Target {
             Target::Name => "name",
             Target::Note => "note",
             Target::Command => ":",
+            Target::Study(typed) => typed.prompt(),
         }
     }
 }

@@ -5,6 +5,7 @@
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
+//! - [`studies`]: the pages of studies and the checks behind them.
 //! - [`settings`]: what the user decided for all projects.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
@@ -21,6 +22,7 @@ pub mod look;
 pub mod message;
 pub mod pages;
 pub mod settings;
+pub mod studies;
 pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
@@ -33,6 +35,7 @@ use history::{History, Step};
 use keymap::Context;
 use look::Look;
 use settings::{Preferences, Settings};
+use studies::Studies;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -72,6 +75,8 @@ pub enum Mode {
         /// The marked one, an index of [`settings::Item::ALL`].
         index: usize,
     },
+    /// A page of a study.
+    Study(studies::Page),
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.
@@ -116,6 +121,7 @@ pub struct App {
     dirty: bool,
     quit_after_save: bool,
     work: Work,
+    studies: Studies,
     preferences: Preferences,
     /// The settings that hold: the kept ones with the flags of this run over them.
     settings: Settings,
@@ -162,6 +168,7 @@ impl App {
             dirty: true,
             quit_after_save: false,
             work: Work::default(),
+            studies: Studies::default(),
             settings: start.preferences.effective(),
             preferences: start.preferences,
         };
@@ -253,6 +260,7 @@ impl App {
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
             Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
             Mode::Settings { .. } => Context::Settings,
+            Mode::Study(page) => page.context(),
         })
     }
 

@@ -15,6 +15,7 @@ impl App {
         self.dirty = true;
         let mut effects = self.take(message);
         effects.extend(self.follow_edit());
+        self.follow_page();
         effects
     }
 
@@ -66,7 +67,7 @@ impl App {
             return match entry.key(key) {
                 Outcome::Typing => Vec::new(),
                 Outcome::Drop => {
-                    self.mode = Mode::Main;
+                    self.mode = self.behind();
                     Vec::new()
                 }
                 Outcome::Take => self.take_entry(),
@@ -76,8 +77,10 @@ impl App {
         match keymap::action(context, key) {
             Some(action) => self.act(action),
             None => {
-                if matches!(self.mode, Mode::Main) {
-                    self.start_typing(key);
+                match self.mode {
+                    Mode::Main => self.start_typing(key),
+                    Mode::Study(page) => self.study_key(page, key),
+                    _ => {}
                 }
                 Vec::new()
             }
@@ -96,6 +99,11 @@ impl App {
     }
 
     fn act(&mut self, action: Action) -> Vec<Effect> {
+        if let Mode::Study(page) = self.mode
+            && let Some(effects) = self.study_act(page, action)
+        {
+            return effects;
+        }
         match action {
             Action::FieldUp => self.select_field(false),
             Action::FieldDown => self.select_field(true),
@@ -150,7 +158,7 @@ impl App {
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
                 return vec![Effect::Quit];
             }
-            Action::Close => self.mode = Mode::Main,
+            Action::Close => self.mode = self.behind(),
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
@@ -162,6 +170,7 @@ impl App {
             Action::Stop => return self.stop_work(),
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
+            Action::Study(ask) => self.study_ask(ask),
         }
         Vec::new()
     }
@@ -214,7 +223,8 @@ impl App {
 
     /// Enter in a line of text: a text that is refused stays, with the reason.
     fn take_entry(&mut self) -> Vec<Effect> {
-        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, Mode::Main) else {
+        let behind = self.behind();
+        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, behind) else {
             return Vec::new();
         };
         let text = entry.text().to_string();
@@ -229,6 +239,7 @@ impl App {
                 Ok(Vec::new())
             }
             Target::Command => self.command(&text),
+            Target::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {
             self.mode = Mode::Entry(Entry { error: Some(refusal), ..entry });

@@ -6,10 +6,12 @@
 mod bindings;
 mod commands;
 mod desk;
+mod studies;
 
 pub use commands::{COMMANDS, CommandHelp};
 
 use super::key::Key;
+use super::studies::Ask;
 use bindings::BINDINGS;
 
 /// What a key can ask for.
@@ -109,6 +111,8 @@ pub enum Action {
     NextWord,
     /// Give the marked setting its previous word.
     PreviousWord,
+    /// Something on a page of a study, or the page itself.
+    Study(Ask),
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.
@@ -128,11 +132,15 @@ pub enum Context {
     ConfirmRecovery,
     /// The list of settings.
     Settings,
+    /// How the answer moves with each input.
+    Sensitivity,
+    /// The layouts side by side.
+    Compare,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 7] = [
+    pub const ALL: [Context; 9] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -140,6 +148,8 @@ impl Context {
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
         Context::Settings,
+        Context::Sensitivity,
+        Context::Compare,
     ];
 
     /// Heading in the help.
@@ -152,6 +162,8 @@ impl Context {
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
             Context::Settings => "Settings",
+            Context::Sensitivity => "Sensitivity",
+            Context::Compare => "Compare",
         }
     }
 }
@@ -183,7 +195,8 @@ pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
 
 /// The bindings of all screens.
 pub fn all() -> impl Iterator<Item = &'static Binding> {
-    [BINDINGS, desk::BINDINGS].into_iter().flatten()
+    let lists = [BINDINGS, desk::BINDINGS, studies::BINDINGS];
+    lists.into_iter().flatten().chain(studies::COMMON.iter().flatten())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::Compared;
 use super::text::{NAME, cut};
-use crate::cli::dem::figures::Figures;
+use crate::study::checks::figures::Figures;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
 use crate::units::{LengthUnit, significant, to_kn};

@@ -1,6 +1,6 @@
 //! Checks as further columns of a study's CSV: SI with kN.
 
-use super::figures::Figures;
+use crate::study::checks::figures::Figures;
 use crate::cli::output::cell;
 use crate::forecast::Values;
 use crate::forecast::design::Question;

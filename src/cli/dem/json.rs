@@ -1,6 +1,6 @@
 //! Checks in the JSON of a study: SI with kN.
 
-use super::figures::Figures;
+use crate::study::checks::figures::Figures;
 use crate::cli::output::{number, optional};
 use crate::dem::Fidelity;
 use crate::forecast::Values;

@@ -2,7 +2,7 @@
 
 use super::Swept;
 use super::text::deflection;
-use crate::cli::dem::figures::Figures;
+use crate::study::checks::figures::Figures;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::study::case::Outcome;
 use crate::study::checks::Answer;

@@ -3,7 +3,7 @@
 
 use super::Swept;
 use super::text::deflection;
-use crate::cli::dem::figures::Figures;
+use crate::study::checks::figures::Figures;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::forecast::design::Question;
 use crate::study::case::{NoValue, Outcome, Point};
