@@ -271,6 +271,17 @@ pub fn force_text(newton: f64) -> String {
     format!("{} kN", significant(to_kn(newton), 3))
 }
 
+/// A utilisation in per cent at three digits, and at four where three would hide which side of 100 it
+/// is on: `96.1`, `100.2`.
+pub fn percent(utilisation: f64) -> String {
+    let text = significant(utilisation * 100.0, 3);
+    // What just meets a limit does so to rounding.
+    if text == "100" && (utilisation - 1.0).abs() > 1e-9 {
+        return significant(utilisation * 100.0, 4);
+    }
+    text
+}
+
 /// Reading and writing quantities in files: bare numbers are metres or kN, text may carry a unit.
 pub mod file {
     use super::{LengthUnit, Quantity, parse};

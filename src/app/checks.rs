@@ -211,14 +211,24 @@ impl App {
         let running = Running { targets: targets.len(), ..Running::default() };
         let order =
             self.order(Task::Checks(Checks { targets, wanted: self.wanted(), live: false }));
+        self.drop_campaign();
         self.work.running = Some(Running { number: order.number, ..running });
         // The worker ends a live check for it.
         self.work.live_order = None;
         vec![Effect::Work(order)]
     }
 
+    /// Forgets the orders that run or wait: one that was asked for takes their place.
+    pub(super) fn give_way(&mut self) {
+        self.work.running = None;
+        self.work.live_order = None;
+    }
+
     /// Ends what runs behind the screen.
     pub(super) fn stop_work(&mut self) -> Vec<Effect> {
+        if self.campaign().is_some() {
+            return vec![Effect::StopWork];
+        }
         if self.work.running.is_none() && self.work.live_order.is_none() {
             self.inform("nothing is running; q quits, ? helps");
             return Vec::new();
@@ -285,6 +295,9 @@ impl App {
 
     /// Takes news of work.
     pub(super) fn news(&mut self, news: News) {
+        if self.campaign_news(&news) {
+            return;
+        }
         let asked = self.work.running.as_ref().is_some_and(|r| r.number == news.number);
         let live = self.work.live_order == Some(news.number);
         match news.what {
@@ -299,6 +312,7 @@ impl App {
                 }
             }
             What::Made { uid, made, .. } => self.keep_check(uid, made),
+            What::Case { .. } => {}
             What::Refused { uid, problems } => {
                 let why = problems.first().map_or(String::new(), |p| p.to_string());
                 if live {

@@ -2,6 +2,7 @@
 
 use super::field::Field;
 use super::key::{Code, Key};
+use super::studies::typed::Typed;
 use tui_input::{Input, InputRequest};
 
 /// What the text is for.
@@ -17,6 +18,8 @@ pub enum Target {
     Command,
     /// A project to open.
     File,
+    /// Something on a page of a study.
+    Study(Typed),
 }
 
 impl Target {
@@ -28,6 +31,7 @@ impl Target {
             Target::Note => "note",
             Target::Command => ":",
             Target::File => "open",
+            Target::Study(typed) => typed.prompt(),
         }
     }
 }

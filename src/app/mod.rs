@@ -5,6 +5,7 @@
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
+//! - [`studies`]: the pages of studies and the checks behind them.
 //! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
 //!   by typed letters ([`fuzzy`]); [`copy`]: what goes to the clipboard; [`tour`]: the first run.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
@@ -27,6 +28,7 @@ pub mod open;
 pub mod output;
 pub mod pages;
 pub mod settings;
+pub mod studies;
 pub mod tour;
 pub mod update;
 
@@ -42,6 +44,7 @@ use look::Look;
 use settings::{Preferences, Settings};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use studies::Studies;
 
 /// What lies over the main screen.
 #[derive(Debug, Clone)]
@@ -96,6 +99,8 @@ pub enum Mode {
         /// Which one, an index of [`tour::stops`].
         stop: usize,
     },
+    /// A page of a study.
+    Study(studies::Page),
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.
@@ -111,6 +116,7 @@ impl Mode {
             Mode::Entry(_) => return None,
             Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
             Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::Study(page) => page.context(),
             Mode::Export { .. } => Context::Export,
             Mode::ConfirmQuit => Context::ConfirmQuit,
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
@@ -163,6 +169,7 @@ pub struct App {
     /// What the help lies over; it comes back when the help is closed.
     under_help: Box<Mode>,
     work: Work,
+    studies: Studies,
     preferences: Preferences,
     /// The settings that hold: the kept ones with the flags of this run over them.
     settings: Settings,
@@ -211,6 +218,7 @@ impl App {
             open_after_save: None,
             under_help: Box::new(Mode::Main),
             work: Work::default(),
+            studies: Studies::default(),
             settings: start.preferences.effective(),
             preferences: start.preferences,
         };

@@ -15,6 +15,7 @@ impl App {
         self.dirty = true;
         let mut effects = self.take(message);
         effects.extend(self.follow_edit());
+        self.follow_page();
         effects
     }
 
@@ -82,7 +83,7 @@ impl App {
             return match entry.key(key) {
                 Outcome::Typing => Vec::new(),
                 Outcome::Drop => {
-                    self.mode = Mode::Main;
+                    self.mode = self.behind();
                     Vec::new()
                 }
                 Outcome::Take => self.take_entry(),
@@ -95,6 +96,10 @@ impl App {
                 match &mut self.mode {
                     Mode::Main => self.start_typing(key),
                     Mode::Open(picker) => picker.key(key),
+                    Mode::Study(page) => {
+                        let page = *page;
+                        self.study_key(page, key);
+                    }
                     _ => {}
                 }
                 Vec::new()
@@ -114,6 +119,11 @@ impl App {
     }
 
     fn act(&mut self, action: Action) -> Vec<Effect> {
+        if let Mode::Study(page) = self.mode
+            && let Some(effects) = self.study_act(page, action)
+        {
+            return effects;
+        }
         match action {
             Action::FieldUp => self.select_field(false),
             Action::FieldDown => self.select_field(true),
@@ -176,7 +186,7 @@ impl App {
             Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
             Action::Close => {
                 self.open_after_save = None;
-                self.mode = Mode::Main;
+                self.mode = self.behind();
             }
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
@@ -197,6 +207,7 @@ impl App {
             Action::Export => self.mode = Mode::Export { index: 0 },
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
+            Action::Study(ask) => self.study_ask(ask),
         }
         Vec::new()
     }
@@ -254,7 +265,8 @@ impl App {
 
     /// Enter in a line of text: a text that is refused stays, with the reason.
     fn take_entry(&mut self) -> Vec<Effect> {
-        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, Mode::Main) else {
+        let behind = self.behind();
+        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, behind) else {
             return Vec::new();
         };
         let text = entry.text().to_string();
@@ -270,6 +282,7 @@ impl App {
             }
             Target::Command => self.command(&text),
             Target::File => Ok(self.ask_to_open(Path::new(&text))),
+            Target::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {
             self.mode = Mode::Entry(Entry { error: Some(refusal), ..entry });

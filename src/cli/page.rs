@@ -1,12 +1,15 @@
 //! A text for people: lines of at most 80 columns with a word in front.
 
+pub use crate::study::case::{input_unit, input_value};
+pub use crate::units::percent;
+
 use super::VERSION;
 use super::output::wrapped;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question};
-use crate::study::case::{Case, Input};
+use crate::study::case::Case;
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj, to_kn,
+    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj,
 };
 
 /// What stands with every answer: what the method is a forecast of.
@@ -128,45 +131,10 @@ impl Page {
 /// What a result says where there is no layout.
 pub const NO_LAYOUTS: &str = "The project has no layouts.\n";
 
-/// A utilisation in per cent at three digits, and at four where three would hide which side of 100 it
-/// is on: `96.1`, `100.2`.
-pub fn percent(utilisation: f64) -> String {
-    let text = significant(utilisation * 100.0, 3);
-    // What just meets a limit does so to rounding.
-    if text == "100" && (utilisation - 1.0).abs() > 1e-9 {
-        return significant(utilisation * 100.0, 4);
-    }
-    text
-}
-
-/// A value of a study's input in the unit shown, without its sign: lengths at a tenth of a millimetre,
-/// forces at four digits.
-pub fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
-    if input.is_force() {
-        return significant(to_kn(value), 4);
-    }
-    let (decimals, least) = match unit {
-        LengthUnit::Metre => (4, 2),
-        LengthUnit::Millimetre => (1, 0),
-    };
-    // Never the negative zero.
-    let mut text = format!("{:.decimals$}", value * unit.per_metre() + 0.0);
-    for _ in least..decimals {
-        if text.ends_with('0') {
-            text.pop();
-        }
-    }
-    text.trim_end_matches('.').to_string()
-}
-
-/// The sign of the unit in which an input is shown.
-pub fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
-    if input.is_force() { "kN" } else { unit.symbol() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::case::Input;
 
     #[test]
     fn numbers_are_short_and_do_not_hide_a_limit() {

@@ -1,9 +1,11 @@
 //! What can be ordered, and what is told of it.
 
+use super::campaign::Campaign;
 use super::checks::Checks;
 use super::desk::{Ticket, Urgency};
 use crate::curve::Point;
 use crate::problem::Problem;
+use crate::study::checks::Answer;
 use crate::study::verdict::make::Made;
 use std::sync::Arc;
 
@@ -23,6 +25,8 @@ pub struct Order {
 pub enum Task {
     /// Checks of layouts, one after the other.
     Checks(Checks),
+    /// Checks of the cases of a study.
+    Campaign(Campaign),
 }
 
 impl Order {
@@ -30,7 +34,7 @@ impl Order {
     pub fn urgency(&self) -> Urgency {
         match &self.task {
             Task::Checks(checks) if checks.live => Urgency::Live,
-            Task::Checks(_) => Urgency::Asked,
+            Task::Checks(_) | Task::Campaign(_) => Urgency::Asked,
         }
     }
 
@@ -39,6 +43,7 @@ impl Order {
     pub fn carry_out(&self, ticket: &Ticket, tell: &(dyn Fn(News) + Sync)) {
         match &self.task {
             Task::Checks(checks) => checks.carry_out(self, ticket, tell),
+            Task::Campaign(campaign) => campaign.carry_out(self, ticket, tell),
         }
         tell(News { number: self.number, what: What::Ended { cancelled: ticket.cancelled() } });
     }
@@ -69,6 +74,15 @@ pub enum What {
         /// Whether nobody asked for it.
         live: bool,
     },
+    /// A case of a campaign is done.
+    Case {
+        /// Its place among the campaign's cases.
+        index: usize,
+        /// How many there are.
+        total: usize,
+        /// Its check, or why there is none.
+        answer: Arc<Answer>,
+    },
     /// A layout cannot be checked.
     Refused {
         /// The layout, by its uid.
@@ -88,15 +102,15 @@ pub enum What {
 /// How far an order has come.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Progress {
-    /// The layout it is at, by its uid.
+    /// The layout it is at, by its uid; 0 for a campaign.
     pub uid: u64,
-    /// Which of how many layouts, from 0.
+    /// Which of how many layouts or cases, from 0.
     pub part: usize,
-    /// How many layouts there are.
+    /// How many layouts or cases there are.
     pub parts: usize,
-    /// Runs of this layout that are done.
+    /// Runs of it that are done.
     pub done: usize,
-    /// Runs of this layout to be made as far as is known.
+    /// Runs of it to be made as far as is known.
     pub planned: usize,
     /// How much of all is done, 0 to 1.
     pub fraction: f64,

@@ -13,7 +13,7 @@ use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
-use crate::units::{shortest, to_kn};
+use crate::units::{LengthUnit, shortest, significant, to_kn};
 use std::sync::Arc;
 
 /// One layout to study.
@@ -300,6 +300,31 @@ impl Input {
             format!("{} m", shortest(value))
         }
     }
+}
+
+/// A value of a study's input in the unit shown, without its sign: lengths at a tenth of a millimetre,
+/// forces at four digits.
+pub fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
+    if input.is_force() {
+        return significant(to_kn(value), 4);
+    }
+    let (decimals, least) = match unit {
+        LengthUnit::Metre => (4, 2),
+        LengthUnit::Millimetre => (1, 0),
+    };
+    // Never the negative zero.
+    let mut text = format!("{:.decimals$}", value * unit.per_metre() + 0.0);
+    for _ in least..decimals {
+        if text.ends_with('0') {
+            text.pop();
+        }
+    }
+    text.trim_end_matches('.').to_string()
+}
+
+/// The sign of the unit in which an input is shown.
+pub fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
+    if input.is_force() { "kN" } else { unit.symbol() }
 }
 
 /// The standard laboratory values of a mesh; where its record cannot be converted, and so has no

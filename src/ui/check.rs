@@ -2,6 +2,7 @@
 
 use super::canvas::{Canvas, Pattern, Pen};
 use super::chart::Scale;
+use super::studies;
 use super::text::put;
 use super::theme::Theme;
 use crate::app::App;
@@ -146,7 +147,7 @@ pub(super) fn marks(app: &App, scale: &Scale, plot: Rect, buf: &mut Buffer, them
 
 /// How far the user's check has come, in a line.
 pub fn progress(app: &App) -> Option<String> {
-    let running = app.running()?;
+    let Some(running) = app.running() else { return studies::progress(app) };
     let Some(p) = &running.progress else {
         return Some("checking; Esc ends it".into());
     };

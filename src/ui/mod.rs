@@ -35,6 +35,7 @@ pub mod page;
 pub mod plan;
 pub mod ratios;
 pub mod settings;
+pub mod studies;
 pub mod text;
 pub mod theme;
 pub mod tour;
@@ -67,6 +68,10 @@ pub fn draw(app: &App, buf: &mut Buffer) {
     let bottom = Rect { y: area.bottom() - 1, height: 1, ..area };
     let middle = Rect { y: area.y + 1, height: area.height - 2, ..area };
     hint::title(app, top, buf, &theme);
+    if let Some(page) = app.page_open() {
+        studies::draw(app, page, middle, buf, &theme);
+        return hint::bottom(app, bottom, buf, &theme);
+    }
     match app.mode() {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),

@@ -6,6 +6,7 @@
 
 use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 use std::io::{Read, Write};
+use std::num::NonZeroU16;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -36,8 +37,8 @@ impl Terminal {
         let project = home.path().join("panel.ron");
         std::fs::write(&project, include_str!("../../projects/reference-panel.ron"))
             .expect("the temporary folder takes a file");
-        let size = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+        let panel = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(panel).expect("a pseudo-terminal");
         let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_meshcast"));
         command.arg("--no-tour");
         command.arg(&project);
@@ -64,7 +65,7 @@ impl Terminal {
         Terminal {
             writer,
             pieces,
-            emulator: vt100::Parser::new(24, 80, 0),
+            emulator: vt100::Parser::new(size(24), size(80), 0),
             taken: 0,
             child,
             _master: pair.master,
@@ -129,6 +130,11 @@ impl Drop for Terminal {
     }
 }
 
+/// A number of rows or columns.
+fn size(count: u16) -> NonZeroU16 {
+    NonZeroU16::new(count).expect("not zero")
+}
+
 /// Median, and the value that 19 of 20 stay below, ms.
 fn figures(mut times: Vec<Duration>) -> (f64, f64) {
     times.sort();
@@ -165,8 +171,7 @@ fn main() {
     terminal.send("l");
     terminal.when("a live check", |screen| screen.contains("live ") && screen.contains("4 runs"));
     terminal.settle();
-    let (mut redraw, mut quick, mut whole, mut sent) =
-        (Vec::new(), Vec::new(), Vec::new(), 0);
+    let (mut redraw, mut quick, mut whole, mut sent) = (Vec::new(), Vec::new(), Vec::new(), 0);
     for k in 0..KEYS {
         let before = terminal.bytes();
         let at = terminal.send(right(k));

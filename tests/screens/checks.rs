@@ -162,7 +162,7 @@ fn escape_ends_what_runs_and_what_is_done_is_kept() {
     assert!(matches!(&effects[..], [Effect::StopWork]));
     // The worker does what it is told: here the first run is done and the second is not.
     let mut short = order.clone();
-    let Task::Checks(checks) = &mut short.task;
+    let Task::Checks(checks) = &mut short.task else { panic!("{short:?}") };
     checks.wanted.runs = Some(1);
     for news in news(&short) {
         let what = match news.what {

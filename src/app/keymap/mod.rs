@@ -7,10 +7,12 @@ mod bindings;
 mod commands;
 mod desk;
 mod output;
+mod studies;
 
 pub use commands::{COMMANDS, CommandHelp};
 
 use super::key::Key;
+use super::studies::Ask;
 use bindings::BINDINGS;
 
 /// What a key can ask for.
@@ -126,6 +128,8 @@ pub enum Action {
     NextStop,
     /// The screen of the tour before.
     PreviousStop,
+    /// Something on a page of a study, or the page itself.
+    Study(Ask),
 }
 
 /// A screen with keys of its own. Text entry has none: there every key is text or edits it.
@@ -153,11 +157,15 @@ pub enum Context {
     Tour,
     /// The list of what can be written.
     Export,
+    /// How the answer moves with each input.
+    Sensitivity,
+    /// The layouts side by side.
+    Compare,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 11] = [
+    pub const ALL: [Context; 13] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -169,6 +177,8 @@ impl Context {
         Context::ConfirmOpen,
         Context::Tour,
         Context::Export,
+        Context::Sensitivity,
+        Context::Compare,
     ];
 
     /// Heading in the help.
@@ -185,6 +195,8 @@ impl Context {
             Context::ConfirmOpen => "Unsaved edits before opening",
             Context::Tour => "Tour",
             Context::Export => "What to write",
+            Context::Sensitivity => "Sensitivity",
+            Context::Compare => "Compare",
         }
     }
 }
@@ -216,7 +228,8 @@ pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
 
 /// The bindings of all screens.
 pub fn all() -> impl Iterator<Item = &'static Binding> {
-    [BINDINGS, output::BINDINGS, desk::BINDINGS].into_iter().flatten()
+    let lists = [BINDINGS, output::BINDINGS, desk::BINDINGS, studies::BINDINGS];
+    lists.into_iter().flatten().chain(studies::COMMON.iter().flatten())
 }
 
 #[cfg(test)]

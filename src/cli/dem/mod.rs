@@ -1,9 +1,9 @@
 //! Checks beside the forecasts of a study: the flags that ask for them, and how they are run.
 //!
-//! - [`figures`]: what a check says, in one place for all forms; [`json`], [`csv`], [`text`]: the forms.
+//! What a check says is read by [`crate::study::checks::figures`]; [`json`], [`csv`], [`text`] are the
+//! forms of it.
 
 pub mod csv;
-pub mod figures;
 pub mod json;
 pub mod text;
 

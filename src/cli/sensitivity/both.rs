@@ -1,14 +1,15 @@
 //! Tornadoes of forecast and check side by side, on one scale, so that they can be compared.
 
 use super::Studied;
-use crate::cli::dem::figures::Figures;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
 use crate::study::case::Outcome;
 use crate::study::checks::Answer;
+use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedSensitivity, CheckedStep};
+use crate::study::sensitivity::scale::Scale;
 use crate::study::sensitivity::{Effect, Step};
-use crate::units::{LengthUnit, force_text, significant, to_kn};
+use crate::units::{force_text, significant, to_kn};
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 7;
@@ -35,43 +36,6 @@ pub fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
         text.push_str(&format!("; {:+.1} % and {:+.1} % over the forecast", parts[0], parts[1]));
     }
     page.line("CHECK", text);
-}
-
-/// Changes with as many decimals as the largest of them needs for three digits, so that they stand
-/// under each other.
-struct Scale {
-    effect: Effect,
-    unit: LengthUnit,
-    decimals: usize,
-}
-
-impl Scale {
-    fn new(effect: Effect, unit: LengthUnit, most: f64) -> Scale {
-        let largest = in_unit(most, effect, unit);
-        // From none for hundreds to six for what is next to nothing.
-        let decimals = if largest > 0.0 { 2.0 - largest.log10().floor() } else { 0.0 };
-        Scale { effect, unit, decimals: decimals.clamp(0.0, 6.0) as usize }
-    }
-
-    fn text(&self, change: f64) -> String {
-        let text = format!("{:+.*}", self.decimals, in_unit(change, self.effect, self.unit));
-        // What is rounded to nothing has no sign.
-        if text.chars().all(|c| "+-0.".contains(c)) { "0".to_string() } else { text }
-    }
-
-    /// A size without a sign.
-    fn size(&self, change: f64) -> String {
-        self.text(change.abs()).trim_start_matches('+').to_string()
-    }
-}
-
-/// A change in the unit that is shown.
-fn in_unit(change: f64, effect: Effect, unit: LengthUnit) -> f64 {
-    match effect {
-        Effect::Force => to_kn(change),
-        Effect::Deflection => change * unit.per_metre(),
-        Effect::Utilisation => change * 100.0,
-    }
 }
 
 /// One effect: the inputs by its size in the forecast.
@@ -182,15 +146,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn changes_have_the_decimals_of_the_largest() {
-        let m = Scale::new(Effect::Deflection, LengthUnit::Metre, 0.0712);
-        assert_eq!([m.text(0.0712), m.text(-0.000_27)], ["+0.0712", "-0.0003"]);
-        assert_eq!([m.text(-0.000_01), m.size(-0.0142)], ["0", "0.0142"]);
-        let mm = Scale::new(Effect::Deflection, LengthUnit::Millimetre, 0.0712);
-        assert_eq!(mm.text(-0.0712), "-71.2");
-        let kn = Scale::new(Effect::Force, LengthUnit::Metre, 123.0e3);
-        assert_eq!([kn.text(99.6e3), kn.text(0.0)], ["+100", "0"]);
-        assert_eq!(Scale::new(Effect::Force, LengthUnit::Metre, 0.0).text(0.0), "0");
+    fn bars_run_from_the_middle() {
         // Both ways onto the same side, and one way each.
         assert_eq!(drawing([Some(1.0), Some(0.5)], 1.0), "       |####---");
         assert_eq!(drawing([Some(-1.0), Some(0.5)], 1.0), "-------|====   ");

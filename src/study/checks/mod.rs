@@ -1,7 +1,8 @@
 //! A campaign of checks: many cases, one after the other, each an ensemble of the anchored test.
 //!
 //! - this file: the campaign, watched from outside; it neither prints nor knows a command line.
-//! - [`change`]: what two verdicts say about the difference of their cases.
+//! - [`change`]: what two verdicts say about the difference of their cases; [`figures`]: what one says
+//!   beside a forecast.
 //!
 //! All cases are asked for with one [`Wanted`], so with the same seeds: run k has the same alignment
 //! of the net, as a part of its period, and the same draw of slack in every case (common random
@@ -15,6 +16,7 @@
 //! another F_l* or delta_l*: see [`NoCheck::Laboratory`].
 
 pub mod change;
+pub mod figures;
 
 use super::case::Case;
 use super::ensemble::EnsembleProgress;

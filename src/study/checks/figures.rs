@@ -1,8 +1,8 @@
-//! What a check says beside a forecast, read once for text, JSON and CSV. Newtons and metres.
+//! What a check says beside a forecast, read once for every way to show it. Newtons and metres.
 
+use super::{Difference, difference, utilisation};
 use crate::forecast::Values;
 use crate::forecast::design::Question;
-use crate::study::checks::{Difference, difference, utilisation};
 use crate::study::verdict::Verdict;
 
 /// The figures of a check; without a first break there are no means.

@@ -1,0 +1,212 @@
+//! The checks of a page's cases. Answers are kept by the fingerprint of what they were made from, so a
+//! case that was checked once is known wherever it comes up again, and an edit leaves nothing that
+//! could be taken for current.
+
+use super::super::App;
+use super::super::message::Effect;
+use super::Page;
+use crate::fingerprint::{Fingerprint, Fingerprinter};
+use crate::job::campaign::Campaign;
+use crate::job::order::{News, Progress, Task, What};
+use crate::study::case::Case;
+use crate::study::checks::{Answer, NoCheck, RUNS, inputs};
+use crate::study::verdict::Wanted;
+use crate::study::verdict::make::wires;
+use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
+
+/// Answers kept; older ones are forgotten. One takes about ten kilobytes.
+const MOST_ANSWERS: usize = 2000;
+
+/// The campaigns of a session.
+#[derive(Debug, Default)]
+pub struct Campaigns {
+    answers: HashMap<Fingerprint, Arc<Answer>>,
+    order: VecDeque<Fingerprint>,
+    running: Option<Running>,
+    /// What was checked last, by page and layout: the fingerprint of all cases.
+    last: HashMap<(Page, u64), Fingerprint>,
+}
+
+/// A campaign that runs.
+#[derive(Debug, Clone)]
+pub struct Running {
+    number: u64,
+    /// The page it is for.
+    pub page: Page,
+    /// The layout it is for, by its uid.
+    uid: u64,
+    /// Of all cases of the page.
+    all: Fingerprint,
+    /// The cases that are checked, by fingerprint.
+    keys: Vec<Fingerprint>,
+    /// How far it is; nothing in its first quarter of a second.
+    pub progress: Option<Progress>,
+    /// Cases that are done.
+    pub done: usize,
+}
+
+impl Running {
+    /// Cases that are checked in all.
+    pub fn total(&self) -> usize {
+        self.keys.len()
+    }
+}
+
+/// How much of a page is checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Coverage {
+    /// Cases that have an answer.
+    pub have: usize,
+    /// All cases.
+    pub of: usize,
+    /// Whether other inputs of this layout were checked, and these were not yet.
+    pub stale: bool,
+}
+
+impl Coverage {
+    /// Whether there is something to show or to come.
+    pub fn any(&self) -> bool {
+        self.have > 0
+    }
+}
+
+impl Campaigns {
+    fn keep(&mut self, key: Fingerprint, answer: Arc<Answer>) {
+        if self.answers.insert(key, answer).is_none() {
+            self.order.push_back(key);
+        }
+        if self.order.len() > MOST_ANSWERS
+            && let Some(oldest) = self.order.pop_front()
+        {
+            self.answers.remove(&oldest);
+        }
+    }
+}
+
+/// Whether an answer is the whole of it, and asking again would give nothing else.
+fn whole(answer: &Answer) -> bool {
+    match answer {
+        Ok(verdict) => !verdict.partial(),
+        Err(why) => *why != NoCheck::NotMade,
+    }
+}
+
+impl App {
+    /// What studies ask of each check: as many runs in all cases, so that they share their draws.
+    pub fn study_wanted(&self) -> Wanted {
+        let runs = self.settings.runs.unwrap_or(RUNS);
+        Wanted { fidelity: self.study_fidelity(), runs: Some(runs), seed: 0 }
+    }
+
+    /// The campaign that runs.
+    pub fn campaign(&self) -> Option<&Running> {
+        self.studies.campaigns.running.as_ref()
+    }
+
+    /// The check of a case as its inputs are, or why there is none.
+    pub(super) fn found(&self, case: &Case) -> Answer {
+        match inputs(case, &self.study_wanted()) {
+            Some(key) => {
+                let kept = self.studies.campaigns.answers.get(&key);
+                kept.map_or(Err(NoCheck::NotMade), |answer| (**answer).clone())
+            }
+            None => Err(NoCheck::Impossible(wires(&case.mesh).err().unwrap_or_default())),
+        }
+    }
+
+    fn all_of(&self, cases: &[Case]) -> Fingerprint {
+        let wanted = self.study_wanted();
+        let taken = cases.iter().fold(Fingerprinter::new("campaign"), |of, case| {
+            of.text(&inputs(case, &wanted).map_or(String::new(), |key| key.to_string()))
+        });
+        taken.finish()
+    }
+
+    /// How much of a page's cases is checked, for the selected layout.
+    pub(super) fn coverage(&self, page: Page, cases: &[Case], answers: &[Answer]) -> Coverage {
+        let have = answers.iter().filter(|a| !matches!(a, Err(NoCheck::NotMade))).count();
+        let last = self.studies.campaigns.last.get(&(page, self.layout().uid));
+        let stale = have < cases.len() && last.is_some_and(|last| *last != self.all_of(cases));
+        Coverage { have, of: cases.len(), stale }
+    }
+
+    /// Orders the checks of the cases that have none yet.
+    pub(super) fn start_campaign(&mut self, page: Page, cases: Vec<Case>) -> Vec<Effect> {
+        if cases.is_empty() {
+            self.complain("there is nothing to check here");
+            return Vec::new();
+        }
+        let wanted = self.study_wanted();
+        let all = self.all_of(&cases);
+        let (mut keys, mut missing) = (Vec::new(), Vec::new());
+        for case in cases {
+            let Some(key) = inputs(&case, &wanted) else {
+                let why = wires(&case.mesh).err().unwrap_or_default();
+                let why = why.first().map_or(String::new(), |p| p.to_string());
+                self.complain(format!("no check: {why}"));
+                return Vec::new();
+            };
+            let known = self.studies.campaigns.answers.get(&key).is_some_and(|a| whole(a));
+            if !known && !keys.contains(&key) {
+                keys.push(key);
+                missing.push(case);
+            }
+        }
+        if missing.is_empty() {
+            self.inform(format!(
+                "all of it is checked, {} fidelity; f takes the next",
+                wanted.fidelity.word()
+            ));
+            return Vec::new();
+        }
+        let order = self.order(Task::Campaign(Campaign { cases: missing, wanted }));
+        self.give_way();
+        self.studies.campaigns.running = Some(Running {
+            number: order.number,
+            page,
+            uid: self.layout().uid,
+            all,
+            keys,
+            progress: None,
+            done: 0,
+        });
+        vec![Effect::Work(order)]
+    }
+
+    /// Forgets the campaign that runs: something else takes its place.
+    pub(in crate::app) fn drop_campaign(&mut self) {
+        self.studies.campaigns.running = None;
+    }
+
+    /// Takes news of a campaign; whether they were of one.
+    pub(in crate::app) fn campaign_news(&mut self, news: &News) -> bool {
+        let campaigns = &mut self.studies.campaigns;
+        let Some(running) = campaigns.running.as_mut().filter(|r| r.number == news.number) else {
+            return matches!(news.what, What::Case { .. });
+        };
+        match &news.what {
+            What::Progress(progress) => running.progress = Some(progress.clone()),
+            What::Case { index, answer, .. } => {
+                running.done += 1;
+                let key = running.keys.get(*index).copied();
+                campaigns.last.insert((running.page, running.uid), running.all);
+                if let Some(key) = key {
+                    campaigns.keep(key, answer.clone());
+                }
+            }
+            What::Ended { cancelled } => {
+                let (done, total) = (running.done, running.total());
+                campaigns.running = None;
+                if *cancelled {
+                    self.inform(format!("ended early; {done} of {total} cases are kept"));
+                } else {
+                    self.inform(format!("{total} cases checked"));
+                }
+            }
+            What::Failed => campaigns.running = None,
+            What::Made { .. } | What::Refused { .. } => {}
+        }
+        true
+    }
+}

@@ -1,0 +1,231 @@
+//! All layouts side by side, sorted by any column.
+
+use super::super::{App, Mode};
+use super::Ask;
+use crate::study::checks::figures::Figures;
+use crate::study::compare::{Column, Comparison, compare};
+use std::cmp::Ordering;
+
+/// A column of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Head {
+    /// One of the comparison of forecasts.
+    Of(Column),
+    /// Mean force of the check, N.
+    DemForce,
+    /// How far it is from F_a, as a part.
+    DemOverForce,
+    /// Mean deflection of the check, m.
+    DemDeflection,
+    /// How far it is from delta_a, as a part.
+    DemOverDeflection,
+    /// Utilisation by the mean force of the check.
+    DemUtilisation,
+}
+
+impl Head {
+    /// All columns in the order of the table, the name first.
+    pub const ALL: [Head; 18] = [
+        Head::Of(Column::Name),
+        Head::Of(Column::Plate),
+        Head::Of(Column::Spacing),
+        Head::Of(Column::Punch),
+        Head::Of(Column::OffsetX),
+        Head::Of(Column::OffsetY),
+        Head::Of(Column::Force),
+        Head::Of(Column::Deflection),
+        Head::Of(Column::Utilisation),
+        Head::DemForce,
+        Head::DemOverForce,
+        Head::Of(Column::ForceRatio),
+        Head::Of(Column::DeflectionRatio),
+        Head::Of(Column::DesignDeflection),
+        Head::DemDeflection,
+        Head::DemOverDeflection,
+        Head::DemUtilisation,
+        Head::Of(Column::Mesh),
+    ];
+}
+
+/// The check of a row.
+#[derive(Debug, Clone, Copy)]
+pub struct Checked {
+    /// What it says beside the forecast.
+    pub figures: Figures,
+    /// Whether its inputs are not the layout's any more.
+    pub stale: bool,
+    /// Whether it was ended before all runs were made.
+    pub partial: bool,
+}
+
+/// What the page shows.
+#[derive(Debug)]
+pub struct View {
+    /// The layouts whose mesh is known, in the project's order.
+    pub comparison: Comparison,
+    /// Of each row, the layout's place in the project.
+    pub layouts: Vec<usize>,
+    /// Of each row, the check that the project keeps.
+    pub checked: Vec<Option<Checked>>,
+    /// The rows in the order shown.
+    pub order: Vec<usize>,
+    /// Layouts that are left out.
+    pub unknown: usize,
+}
+
+impl View {
+    /// Letter of a row's curve, by its place in the project; none for the many.
+    pub fn letter(&self, row: usize) -> Option<char> {
+        let place = u8::try_from(*self.layouts.get(row)?).ok()?;
+        (place < 26).then(|| char::from(b'A' + place))
+    }
+
+    /// What stands in a column of the checks.
+    pub fn number(&self, row: usize, head: Head) -> Option<f64> {
+        let checked = self.checked.get(row)?.as_ref()?;
+        let figures = &checked.figures;
+        // A stale check is of another panel than the forecast beside it.
+        let difference = figures.difference.filter(|_| !checked.stale);
+        match head {
+            Head::Of(_) => None,
+            Head::DemForce => figures.mean.map(|v| v.force),
+            Head::DemOverForce => difference.map(|d| d.force),
+            Head::DemDeflection => figures.mean.map(|v| v.deflection),
+            Head::DemOverDeflection => difference.map(|d| d.deflection),
+            Head::DemUtilisation => figures.utilisation.filter(|_| !checked.stale),
+        }
+    }
+}
+
+/// Where the user is on the page.
+#[derive(Debug, Default)]
+pub struct State {
+    /// The marked layout, by its place in the project.
+    pub(super) marked: usize,
+    /// The column it is sorted by, by its place; nothing for the project's order.
+    sort: Option<usize>,
+    falling: bool,
+    /// First column shown behind the name.
+    first: usize,
+    view: Option<View>,
+}
+
+impl App {
+    /// The comparison; nothing where the page was never open.
+    pub fn comparison(&self) -> Option<&View> {
+        self.studies.compare.view.as_ref()
+    }
+
+    /// The marked layout, by its place in the project.
+    pub fn comparison_marked(&self) -> usize {
+        self.studies.compare.marked
+    }
+
+    /// The column the comparison is sorted by, and whether falling.
+    pub fn comparison_sort(&self) -> Option<(Head, bool)> {
+        let state = &self.studies.compare;
+        Some((*Head::ALL.get(state.sort?)?, state.falling))
+    }
+
+    /// The first column that is shown behind the name, by its place in [`Head::ALL`] less 1.
+    pub fn comparison_first(&self) -> usize {
+        self.studies.compare.first
+    }
+
+    pub(super) fn make_comparison(&mut self) {
+        let (mut cases, mut layouts) = (Vec::new(), Vec::new());
+        for (index, layout) in self.project.layouts.iter().enumerate() {
+            if let Some(case) = self.case(index) {
+                cases.push((layout.name.clone(), case));
+                layouts.push(index);
+            }
+        }
+        let comparison = compare(cases);
+        let checked = layouts.iter().zip(&comparison.rows).map(|(index, row)| {
+            let shown = self.kept_check(*index)?;
+            Some(Checked {
+                figures: Figures::of(shown.verdict, row.values().ok(), &row.case.question),
+                stale: shown.stale(),
+                partial: shown.verdict.partial(),
+            })
+        });
+        let mut view = View {
+            checked: checked.collect(),
+            order: (0..layouts.len()).collect(),
+            unknown: self.project.layouts.len() - layouts.len(),
+            comparison,
+            layouts,
+        };
+        if let Some((head, falling)) = self.comparison_sort() {
+            view.order = sorted(&view, head, falling);
+        }
+        let state = &mut self.studies.compare;
+        state.marked = state.marked.min(self.project.layouts.len().saturating_sub(1));
+        state.view = Some(view);
+    }
+
+    pub(super) fn compare_ask(&mut self, ask: Ask) {
+        let state = &mut self.studies.compare;
+        let last = Head::ALL.len() - 1;
+        match ask {
+            Ask::NextColumn => state.first = (state.first + 1).min(last - 1),
+            Ask::PreviousColumn => state.first = state.first.saturating_sub(1),
+            Ask::SortNext => state.sort = Some(state.sort.map_or(0, |at| (at + 1).min(last))),
+            Ask::SortPrevious => state.sort = state.sort.and_then(|at| at.checked_sub(1)),
+            Ask::Reverse => state.falling = !state.falling,
+            Ask::Open(_) => {}
+        }
+        if matches!(ask, Ask::SortNext | Ask::SortPrevious | Ask::Reverse) {
+            let way = if state.falling { "falling" } else { "rising" };
+            let said = match self.comparison_sort() {
+                Some((head, _)) => format!("sorted by {}, {way}; - turns it round", words(head)),
+                None => "in the project's order".to_string(),
+            };
+            self.inform(said);
+        }
+    }
+
+    /// Marks another row.
+    pub(super) fn compare_move(&mut self, lines: isize) {
+        let state = &mut self.studies.compare;
+        let Some(view) = &state.view else { return };
+        let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&state.marked));
+        let last = view.order.len().saturating_sub(1);
+        let to = at.map_or(0, |at| at.saturating_add_signed(lines).min(last));
+        if let Some(layout) = view.order.get(to).and_then(|row| view.layouts.get(*row)) {
+            state.marked = *layout;
+        }
+    }
+
+    /// Selects the marked layout and goes back to it.
+    pub(super) fn compare_take(&mut self) {
+        self.selected = self.studies.compare.marked.min(self.project.layouts.len() - 1);
+        self.mode = Mode::Main;
+    }
+}
+
+/// A column in words.
+fn words(head: Head) -> &'static str {
+    match head {
+        Head::Of(column) => column.word(),
+        Head::DemForce => "F of the check",
+        Head::DemOverForce => "the check's F over the forecast's",
+        Head::DemDeflection => "delta of the check",
+        Head::DemOverDeflection => "the check's delta over the forecast's",
+        Head::DemUtilisation => "utilisation by the check",
+    }
+}
+
+/// The rows sorted by a column; those that have nothing there stand at the end either way.
+fn sorted(view: &View, head: Head, falling: bool) -> Vec<usize> {
+    if let Head::Of(column) = head {
+        return view.comparison.sorted(column, falling);
+    }
+    let mut order: Vec<usize> = (0..view.comparison.rows.len()).collect();
+    let way = |o: Ordering| if falling { o.reverse() } else { o };
+    order.sort_by(|a, b| match (view.number(*a, head), view.number(*b, head)) {
+        (Some(a), Some(b)) => way(a.total_cmp(&b)),
+        (a, b) => b.is_some().cmp(&a.is_some()),
+    });
+    order
+}

@@ -1,0 +1,214 @@
+//! The pages of studies: what each shows, what a key does on it, and the checks behind it.
+//!
+//! - [`sensitivity`], [`compare`]: a page each, with its state and what it shows.
+//! - [`campaign`]: the checks of a page's cases: what runs, what is kept and what it is worth now.
+//!
+//! What a page shows is made anew after each message while the page is open, and never while drawing.
+
+pub mod campaign;
+pub mod compare;
+pub mod sensitivity;
+pub mod typed;
+
+use super::entry::{Entry, Target};
+use super::key::Key;
+use super::keymap::{Action, Context};
+use super::message::Effect;
+use super::{App, Mode, derived};
+use crate::dem::Fidelity;
+use crate::study::case::Case;
+use crate::study::sensitivity::Effect as Shown;
+use crate::units::significant;
+use campaign::Campaigns;
+
+/// A page of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Page {
+    /// How the answer moves with each input.
+    Sensitivity,
+    /// The layouts side by side.
+    Compare,
+}
+
+impl Page {
+    /// The word for headings and messages.
+    pub fn word(self) -> &'static str {
+        match self {
+            Page::Sensitivity => "sensitivity",
+            Page::Compare => "compare",
+        }
+    }
+
+    /// The screen whose keys hold on it.
+    pub fn context(self) -> Context {
+        match self {
+            Page::Sensitivity => Context::Sensitivity,
+            Page::Compare => Context::Compare,
+        }
+    }
+}
+
+/// What a key can ask for on a page of a study, besides what it asks for elsewhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Ask {
+    /// Open a page.
+    Open(Page),
+    /// Go to the next column.
+    NextColumn,
+    /// Go to the previous column.
+    PreviousColumn,
+    /// Sort by the next column.
+    SortNext,
+    /// Sort by the previous column.
+    SortPrevious,
+    /// Sort the other way round.
+    Reverse,
+}
+
+/// All that the state knows of studies. It outlives the pages, so that a page comes back as it was.
+#[derive(Debug, Default)]
+pub struct Studies {
+    campaigns: Campaigns,
+    /// How exactly the checks of studies compute; quick where nothing was said.
+    fidelity: Option<Fidelity>,
+    /// The page that the help lies over.
+    behind: Option<Page>,
+    sensitivity: sensitivity::State,
+    compare: compare::State,
+}
+
+impl App {
+    /// The page that is open, also while a text for it is typed.
+    pub fn page_open(&self) -> Option<Page> {
+        match &self.mode {
+            Mode::Study(page) => Some(*page),
+            Mode::Entry(Entry { target: Target::Study(typed), .. }) => Some(typed.page()),
+            _ => None,
+        }
+    }
+
+    /// What is under the text, help or list that lies over everything now.
+    pub(super) fn behind(&mut self) -> Mode {
+        let page = match self.mode {
+            Mode::Help { .. } => self.studies.behind.take(),
+            Mode::Entry(_) => self.page_open(),
+            _ => None,
+        };
+        page.map_or(Mode::Main, Mode::Study)
+    }
+
+    /// A layout as a case of a study; nothing where its mesh is not known.
+    pub fn case(&self, index: usize) -> Option<Case> {
+        let layout = self.project.layouts.get(index)?;
+        Some(Case {
+            layout: layout.layout(),
+            mesh: self.results.get(index)?.mesh.clone()?,
+            rule: layout.branch,
+            question: derived::question(layout),
+        })
+    }
+
+    /// What a key asks for on a page of a study; nothing where it means what it means elsewhere.
+    pub(super) fn study_act(&mut self, page: Page, action: Action) -> Option<Vec<Effect>> {
+        match action {
+            Action::Up => self.study_move(page, -1),
+            Action::Down => self.study_move(page, 1),
+            Action::Help => {
+                self.studies.behind = Some(page);
+                self.mode = Mode::Help { scroll: 0 };
+            }
+            Action::Check => return Some(self.start_study(page)),
+            Action::Stop if self.campaign().is_some() => return None,
+            Action::Stop => self.mode = Mode::Main,
+            Action::Fidelity if page != Page::Compare => self.next_study_fidelity(),
+            Action::Take => self.study_take(page),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    /// What a key of the pages asks for.
+    pub(super) fn study_ask(&mut self, ask: Ask) {
+        if let Ask::Open(page) = ask {
+            return self.open_page(page);
+        }
+        match self.page_open() {
+            Some(Page::Sensitivity) => self.sensitivity_ask(ask),
+            Some(Page::Compare) => self.compare_ask(ask),
+            None => {}
+        }
+    }
+
+    /// A key that has no meaning on a page.
+    pub(super) fn study_key(&mut self, _page: Page, key: Key) {
+        self.inform(format!("{key} does nothing here; ? shows the keys"));
+    }
+
+    fn open_page(&mut self, page: Page) {
+        self.mode = Mode::Study(page);
+        if page == Page::Compare {
+            self.studies.compare.marked = self.selected;
+        }
+    }
+
+    fn study_move(&mut self, page: Page, lines: isize) {
+        match page {
+            Page::Sensitivity => self.sensitivity_move(lines),
+            Page::Compare => self.compare_move(lines),
+        }
+    }
+
+    fn study_take(&mut self, page: Page) {
+        match page {
+            Page::Compare => self.compare_take(),
+            Page::Sensitivity => {}
+        }
+    }
+
+    /// Orders the checks of a page.
+    fn start_study(&mut self, page: Page) -> Vec<Effect> {
+        match page {
+            // A layout's own check is the one that the project keeps.
+            Page::Compare => self.start_check(true),
+            Page::Sensitivity => {
+                let cases = self.studies.sensitivity.cases();
+                self.start_campaign(page, cases)
+            }
+        }
+    }
+
+    /// Makes what the open page shows anew.
+    pub(super) fn follow_page(&mut self) {
+        match self.page_open() {
+            Some(Page::Sensitivity) => self.make_sensitivity(),
+            Some(Page::Compare) => self.make_comparison(),
+            None => {}
+        }
+    }
+
+    /// How exactly the checks of studies compute.
+    pub fn study_fidelity(&self) -> Fidelity {
+        self.studies.fidelity.unwrap_or(Fidelity::Quick)
+    }
+
+    fn next_study_fidelity(&mut self) {
+        let next = match self.study_fidelity() {
+            Fidelity::Quick => Fidelity::Standard,
+            Fidelity::Standard => Fidelity::Fine,
+            _ => Fidelity::Quick,
+        };
+        self.studies.fidelity = Some(next);
+        let aim = significant(100.0 * next.aim(), 1);
+        self.inform(format!("checks of studies are {}: errors within {aim} %", next.word()));
+    }
+}
+
+/// The values that studies speak of, in the order in which a key goes through them.
+const SHOWN: [Shown; 3] = [Shown::Force, Shown::Deflection, Shown::Utilisation];
+
+/// The neighbour of a value; the utilisation is left out where no design force is set.
+fn neighbour(shown: Shown, next: bool, asked: bool) -> Shown {
+    let count = if asked { 3 } else { 2 };
+    let at = SHOWN.iter().position(|s| *s == shown).unwrap_or(0).min(count - 1);
+    SHOWN[(at + if next { 1 } else { count - 1 }) % count]
+}

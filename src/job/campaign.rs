@@ -1,0 +1,147 @@
+//! A campaign of checks behind the screen: the cases of a study, one after the other, each told as soon
+//! as it is done.
+
+use super::desk::Ticket;
+use super::order::{News, Order, Progress, What};
+use super::pace::Pace;
+use crate::dem::Flow;
+use crate::study::case::Case;
+use crate::study::checks::{self, NoCheck, checks};
+use crate::study::verdict::Wanted;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Least time between two words of progress: four a second.
+const QUIET: Duration = Duration::from_millis(250);
+/// Where a case has no forecast, the deflection at which it is expected to break, over its spacing.
+const EXPECTED: f64 = 0.2;
+
+/// Cases to be checked, all asked for alike, so that they share alignments and slack.
+#[derive(Debug, Clone)]
+pub struct Campaign {
+    /// What to check, in this order.
+    pub cases: Vec<Case>,
+    /// How.
+    pub wanted: Wanted,
+}
+
+/// How far the campaign is.
+struct Seen {
+    pace: Pace,
+    /// The case that speaks.
+    index: Option<usize>,
+    spoke: Instant,
+}
+
+impl Campaign {
+    /// Checks the cases, until the ticket says to end.
+    pub(super) fn carry_out(&self, order: &Order, ticket: &Ticket, tell: &(dyn Fn(News) + Sync)) {
+        if ticket.cancelled() {
+            return;
+        }
+        let say = |what: What| tell(News { number: order.number, what });
+        let start = Instant::now();
+        let seen = Mutex::new(Seen { pace: Pace::default(), index: None, spoke: start });
+        let listen = |news: checks::News| {
+            match news.what {
+                checks::What::Progress(now) => {
+                    // Nothing that holds the lock can panic halfway.
+                    let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
+                    if seen.index != Some(news.index) {
+                        let end = self.cases.get(news.index).map_or(EXPECTED, expected)
+                            + self.wanted.controls().after_break;
+                        seen.pace.begin(news.index, news.total, end);
+                        seen.index = Some(news.index);
+                    }
+                    seen.pace.take(now.run, now.planned, &now.inner);
+                    if seen.spoke.elapsed() >= QUIET {
+                        seen.spoke = Instant::now();
+                        let progress = Progress {
+                            part: news.index,
+                            parts: news.total,
+                            done: now.done,
+                            planned: now.planned,
+                            fraction: seen.pace.fraction(),
+                            left: seen.pace.left(start.elapsed().as_secs_f64()),
+                            ..Progress::default()
+                        };
+                        drop(seen);
+                        say(What::Progress(progress));
+                    }
+                }
+                // One that was ended before a run of it was whole is no news.
+                checks::What::Done(Err(NoCheck::NotMade)) => {}
+                checks::What::Done(answer) => say(What::Case {
+                    index: news.index,
+                    total: news.total,
+                    answer: Arc::new(answer.clone()),
+                }),
+            }
+            if ticket.cancelled() { Flow::Cancel } else { Flow::Continue }
+        };
+        checks(&self.cases, &self.wanted, order.threads, &listen);
+    }
+}
+
+/// Deflection at which a case is expected to break, m.
+fn expected(case: &Case) -> f64 {
+    let reached = case.outcome().map(|point| point.values().deflection);
+    reached.unwrap_or(EXPECTED * case.layout.spacing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::order::Task;
+    use super::*;
+    use crate::dem::Fidelity;
+    use crate::forecast::design::Question;
+    use crate::layout::{BranchRule, Layout, REFERENCE};
+    use crate::mesh::catalogue;
+
+    fn order() -> Order {
+        let case = |spacing| Case {
+            layout: Layout { spacing, punch: 0.4, ..REFERENCE },
+            mesh: catalogue::reference(),
+            rule: BranchRule::Published,
+            question: Question::default(),
+        };
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let cases = vec![case(1.3), case(0.35), case(1.4)];
+        Order { number: 5, task: Task::Campaign(Campaign { cases, wanted }), threads: 2 }
+    }
+
+    fn heard(ticket: &Ticket, end_after: usize) -> Vec<String> {
+        let heard = Mutex::new(Vec::new());
+        order().carry_out(ticket, &|news| {
+            assert_eq!(news.number, 5);
+            let said = match news.what {
+                What::Case { index, total, answer } => match &*answer {
+                    Ok(verdict) => format!("{index} of {total}: {} runs", verdict.runs),
+                    Err(why) => format!("{index} of {total}: {}", why.code()),
+                },
+                What::Ended { cancelled } => format!("ended {cancelled}"),
+                _ => return,
+            };
+            let mut heard = heard.lock().unwrap();
+            heard.push(said);
+            if heard.len() == end_after {
+                ticket.cancel();
+            }
+        });
+        heard.into_inner().unwrap()
+    }
+
+    #[test]
+    fn each_case_is_told_when_it_is_done() {
+        let all = heard(&Ticket::default(), usize::MAX);
+        assert_eq!(all, ["0 of 3: 2 runs", "1 of 3: impossible", "2 of 3: 2 runs", "ended false"]);
+    }
+
+    #[test]
+    fn a_campaign_that_is_ended_keeps_what_was_told() {
+        assert_eq!(heard(&Ticket::default(), 1), ["0 of 3: 2 runs", "ended true"]);
+        let ticket = Ticket::default();
+        ticket.cancel();
+        assert_eq!(heard(&ticket, usize::MAX), ["ended true"]);
+    }
+}

@@ -1,0 +1,305 @@
+//! All layouts in a table that can be sorted, and their curves in one chart.
+
+use super::super::canvas::{Canvas, Pattern, Pen};
+use super::super::layouts::first_shown;
+use super::super::text::{below, cut, heading, put, put_right, width};
+use super::super::theme::Theme;
+use super::plot::{self, Plot};
+use crate::app::App;
+use crate::app::studies::compare::{Head, View};
+use crate::forecast::rescaled;
+use crate::forecast::warning::Weight;
+use crate::study::case::NoValue;
+use crate::study::compare::Column;
+use crate::units::{LengthUnit, force_text, percent, significant, to_kn};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Curves that can be told apart in one chart, the marked one included.
+const CURVES: usize = 6;
+/// Points a curve is drawn through.
+const POINTS: usize = 61;
+
+/// Draws the page: table above, curves below, or beside each other where there is room.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let Some(view) = app.comparison() else { return };
+    let title = match app.comparison_sort() {
+        Some((head, falling)) => {
+            format!("compare: by {}, {}", title(head, app.units()).0, way(falling))
+        }
+        None => "compare: in the project's order".to_string(),
+    };
+    let right = format!("{} layouts", app.project().layouts.len());
+    heading(buf, area, &title, &right, theme);
+    let rest = below(area, 1);
+    let rows = view.order.len() as u16;
+    // Two lines of head, one of what governs; the chart gets what is left, or nothing.
+    let wanted = rows + 3;
+    let chart = rest.height.saturating_sub(wanted).max(rest.height / 2);
+    let chart = if rest.height >= 16 { chart.min(rest.height - 7) } else { 0 };
+    let table_area = Rect { height: rest.height - chart, ..rest };
+    table(app, view, table_area, buf, theme);
+    let lower = below(rest, table_area.height);
+    if lower.height > plot::SMALLEST.1 {
+        let words = format!("F (kN) over delta ({})", app.units().symbol());
+        heading(buf, lower, &words, &legend(view), theme);
+        curves(app, view, below(lower, 1), buf, theme);
+    }
+}
+
+fn way(falling: bool) -> &'static str {
+    if falling { "falling" } else { "rising" }
+}
+
+/// Word and unit of a column.
+fn title(head: Head, unit: LengthUnit) -> (&'static str, &'static str) {
+    let m = unit.symbol();
+    match head {
+        Head::Of(column) => match column {
+            Column::Name => ("layout", ""),
+            Column::Mesh => ("mesh", ""),
+            Column::Plate => ("d", m),
+            Column::Spacing => ("L", m),
+            Column::Punch => ("D", m),
+            Column::OffsetX => ("ex", m),
+            Column::OffsetY => ("ey", m),
+            Column::Force => ("F_a", "kN"),
+            Column::Deflection => ("delta", m),
+            Column::ForceRatio => ("F/Fl", ""),
+            Column::DeflectionRatio => ("d/dl", ""),
+            Column::Utilisation => ("use", "%"),
+            Column::DesignDeflection => ("at Fd", m),
+            Column::Warnings => ("warn", ""),
+        },
+        Head::DemForce => ("DEM F", "kN"),
+        Head::DemOverForce => ("/F_a", "%"),
+        Head::DemDeflection => ("DEM d", m),
+        Head::DemOverDeflection => ("/d_a", "%"),
+        Head::DemUtilisation => ("DEM u", "%"),
+    }
+}
+
+fn columns_of(head: Head) -> u16 {
+    match head {
+        Head::Of(Column::Mesh) => 18,
+        Head::Of(Column::Force | Column::Deflection) | Head::DemForce | Head::DemDeflection => 7,
+        _ => 6,
+    }
+}
+
+/// What stands in a cell.
+fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
+    let Some(r) = view.comparison.rows.get(row) else { return String::new() };
+    let none = || "-".to_string();
+    let size = |v: f64| match unit {
+        LengthUnit::Metre => format!("{v:.2}"),
+        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
+    };
+    let deflection = |v: f64| match unit {
+        LengthUnit::Metre => format!("{v:.3}"),
+        LengthUnit::Millimetre => size(v),
+    };
+    let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
+    let kn = |v: f64| significant(to_kn(v), 3);
+    let l = &r.case.layout;
+    let checked = view.checked.get(row).and_then(|c| c.as_ref());
+    let forecast = r.forecast.as_ref().ok();
+    match head {
+        Head::Of(column) => match column {
+            Column::Name => r.name.clone(),
+            Column::Mesh => r.case.mesh.id.clone(),
+            Column::Plate => size(l.plate),
+            Column::Spacing => size(l.spacing),
+            Column::Punch => size(l.punch),
+            Column::OffsetX => size(l.ex),
+            Column::OffsetY => size(l.ey),
+            Column::Force => match r.values() {
+                Ok(v) => kn(v.force),
+                Err(NoValue::PunchOnPlate) => "plate".into(),
+                Err(NoValue::Senseless(_)) => "error".into(),
+            },
+            Column::Deflection => r.values().map_or_else(|_| none(), |v| deflection(v.deflection)),
+            Column::ForceRatio => ratio(forecast.and_then(|f| f.force_over_lab())),
+            Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
+            Column::Utilisation => r.utilisation().map_or_else(none, percent),
+            Column::DesignDeflection => {
+                let at = r.answer.and_then(|a| a.at_force).and_then(|a| a.deflection);
+                at.map_or_else(none, deflection)
+            }
+            Column::Warnings => r.weight().map_or_else(none, |w| w.word().into()),
+        },
+        Head::DemForce => match (checked, view.number(row, head)) {
+            (None, _) => none(),
+            (Some(_), None) => "none".into(),
+            (Some(c), Some(v)) => {
+                let mark = match (c.stale, c.partial) {
+                    (true, _) => "s",
+                    (false, true) => "p",
+                    _ => "",
+                };
+                kn(v) + mark
+            }
+        },
+        Head::DemDeflection => view.number(row, head).map_or_else(none, deflection),
+        Head::DemUtilisation => view.number(row, head).map_or_else(none, percent),
+        Head::DemOverForce | Head::DemOverDeflection => match checked {
+            Some(c) if c.stale => "stale".into(),
+            _ => view.number(row, head).map_or_else(none, |v| format!("{:+.1}", 100.0 * v)),
+        },
+    }
+}
+
+fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let unit = app.units();
+    let name = if area.width >= 70 { 14 } else { 10 };
+    let sort = app.comparison_sort();
+    // As many columns behind the name as fit.
+    let mut shown: Vec<(Head, u16)> = Vec::new();
+    let mut end = 4 + name;
+    let heads = &Head::ALL[1..];
+    for head in heads.iter().skip(app.comparison_first()) {
+        end += columns_of(*head);
+        if end > area.width {
+            break;
+        }
+        shown.push((*head, end));
+    }
+    let head_style = |head: Head| match sort {
+        Some((by, _)) if by == head => theme.selected,
+        _ => theme.heading,
+    };
+    put(buf, area, 0, 4, "layout", head_style(Head::Of(Column::Name)));
+    for (head, end) in &shown {
+        let (word, symbol) = title(*head, unit);
+        let part = Rect { width: *end, ..area };
+        put_right(buf, part, 0, word, head_style(*head));
+        put_right(buf, part, 1, symbol, theme.heading);
+    }
+    if app.comparison_first() > 0 {
+        put(buf, area, 1, 4, "<- more", theme.heading);
+    }
+    if app.comparison_first() + shown.len() < heads.len() {
+        put(buf, area, 1, 4 + name.saturating_sub(2), "->", theme.heading);
+    }
+    let list = Rect { height: area.height.saturating_sub(3), ..below(area, 2) };
+    let rows = usize::from(list.height);
+    let marked = app.comparison_marked();
+    let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&marked));
+    let first = first_shown(at.unwrap_or(0), rows, view.order.len());
+    for (line, row) in view.order.iter().skip(first).take(rows).enumerate() {
+        let line = line as u16;
+        let here = view.layouts.get(*row) == Some(&marked);
+        let governs = view.comparison.governing.is_some_and(|g| g.row == *row);
+        let style = if here { theme.selected } else { theme.text };
+        if here {
+            put(buf, list, line, 0, &" ".repeat(usize::from(list.width)), style);
+        }
+        let sign = if here { ">" } else { " " };
+        let letter = view.letter(*row).unwrap_or(' ');
+        let star = if governs { "*" } else { " " };
+        put(buf, list, line, 0, &format!("{sign}{letter}{star}"), style);
+        let text = cell(view, *row, Head::Of(Column::Name), unit);
+        let doubt = view.comparison.rows.get(*row).and_then(|r| r.weight());
+        let mark = if doubt >= Some(Weight::Caution) { "!" } else { "" };
+        let text = format!("{}{mark}", cut(&text, usize::from(name) - 1));
+        put(buf, list, line, 4, &text, style);
+        for (head, end) in &shown {
+            let room = usize::from(columns_of(*head)) - 1;
+            let text = cut(&cell(view, *row, *head, unit), room);
+            put_right(buf, Rect { width: *end, ..list }, line, &text, style);
+        }
+    }
+    let foot = Rect { y: list.bottom(), height: 1.min(area.height), ..area };
+    let text = governing(view);
+    let hidden = view.order.len().saturating_sub(rows);
+    let more = if hidden > 0 { format!(" {hidden} more ") } else { String::new() };
+    let room = usize::from(area.width.saturating_sub(width(&more) + 1));
+    put(buf, foot, 0, 1, &cut(&text, room), theme.title);
+    put_right(buf, foot, 0, &more, theme.heading);
+}
+
+/// Which layout governs, and by what.
+fn governing(view: &View) -> String {
+    let left = match view.unknown {
+        0 => String::new(),
+        n => format!("; {n} left out, mesh not known"),
+    };
+    let Some(g) = view.comparison.governing else {
+        return format!("* governing: none, no layout has a value{left}");
+    };
+    let Some(row) = view.comparison.rows.get(g.row) else { return String::new() };
+    let by = match (g.utilisation, row.values()) {
+        (Some(u), _) => format!("the highest use, {} %", percent(u)),
+        (None, Ok(v)) => format!("the lowest force, {}; no design force set", force_text(v.force)),
+        (None, Err(_)) => String::new(),
+    };
+    let stale = view.checked.iter().flatten().any(|c| c.stale);
+    let stale = if stale { "; s: stale check" } else { "" };
+    format!("* governing {}: {by}{stale}{left}", row.name)
+}
+
+/// The rows whose curves are drawn: the marked one and the first of the others.
+fn drawn(app: &App, view: &View) -> Vec<usize> {
+    let marked = |row: &usize| view.layouts.get(*row) == Some(&app.comparison_marked());
+    let has = |row: &usize| view.comparison.rows.get(*row).is_some_and(|r| r.values().is_ok());
+    let others = view.order.iter().filter(|r| !marked(r) && has(r)).take(CURVES - 1);
+    let mut all: Vec<usize> = others.copied().collect();
+    all.extend(view.order.iter().filter(|r| marked(r) && has(r)));
+    all
+}
+
+fn legend(view: &View) -> String {
+    let count = view.comparison.rows.iter().filter(|r| r.values().is_ok()).count();
+    match count {
+        0 => "no layout has a value".into(),
+        n if n > CURVES => format!("letters as above; {CURVES} of {n} curves"),
+        _ => "letters as above".into(),
+    }
+}
+
+fn curves(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let per_metre = app.units().per_metre();
+    let rows = drawn(app, view);
+    let values: Vec<_> = rows
+        .iter()
+        .filter_map(|row| Some((*row, view.comparison.rows.get(*row)?.values().ok()?)))
+        .collect();
+    let largest = |read: fn(&crate::forecast::Values) -> f64| {
+        values.iter().map(|(_, v)| read(v)).fold(0.0, f64::max)
+    };
+    if values.is_empty() {
+        return;
+    }
+    let x = (0.0, largest(|v| v.deflection) * per_metre);
+    let y = (0.0, to_kn(largest(|v| v.force)));
+    let Some(plot) = Plot::new(area, x, y, buf, theme) else { return };
+    let mut canvas = Canvas::new(plot.area, theme.glyphs);
+    let marked = |row: usize| view.layouts.get(row) == Some(&app.comparison_marked());
+    for (place, (row, v)) in values.iter().enumerate() {
+        let letter = view.letter(*row).unwrap_or('?');
+        let pattern = [(6, 2), (3, 3), (8, 2), (2, 2), (5, 4)][place % 5];
+        let pen = if marked(*row) {
+            Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None }
+        } else {
+            Pen {
+                style: theme.overlay,
+                pattern: Pattern::Dashed(pattern.0, pattern.1),
+                ascii: Some(letter.to_ascii_lowercase()),
+            }
+        };
+        let curve = rescaled(*v, POINTS);
+        plot.curve(
+            curve.points().map(|p| (p.deflection * per_metre, to_kn(p.force))),
+            pen,
+            &mut canvas,
+        );
+    }
+    canvas.show(buf);
+    for (row, v) in &values {
+        let style = if marked(*row) { theme.forecast } else { theme.overlay };
+        if let Some((column, line)) = plot.cell(v.deflection * per_metre, to_kn(v.force)) {
+            let letter = view.letter(*row).unwrap_or('?').to_string();
+            put(buf, plot.area, line, column, &letter, style);
+        }
+    }
+}

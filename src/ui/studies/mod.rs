@@ -1,0 +1,49 @@
+//! The pages of studies, one a file; [`plot`] is the chart that they share.
+
+pub mod compare;
+pub mod plot;
+pub mod sensitivity;
+
+use super::text::{clear, put};
+use super::theme::Theme;
+use crate::app::App;
+use crate::app::studies::Page;
+use crate::job::pace::duration;
+use crate::study::verdict::Wanted;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Draws a page over the whole area.
+pub fn draw(app: &App, page: Page, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    clear(buf, area);
+    match page {
+        Page::Sensitivity => sensitivity::draw(app, area, buf, theme),
+        Page::Compare => compare::draw(app, area, buf, theme),
+    }
+}
+
+/// How far the campaign of a page is, in a line.
+pub fn progress(app: &App) -> Option<String> {
+    let running = app.campaign()?;
+    let (word, total) = (running.page.word(), running.total());
+    let Some(p) = &running.progress else {
+        return Some(format!("{word}: {total} checks begin; Esc ends them"));
+    };
+    Some(format!(
+        "{word}: check {} of {total}, {:.0} %, {} left; Esc ends it",
+        p.part + 1,
+        100.0 * p.fraction,
+        duration(p.left)
+    ))
+}
+
+/// What all checks of a study have in common.
+fn plan(wanted: &Wanted) -> String {
+    let runs = wanted.runs.map_or("runs as needed".into(), |n| format!("{n} runs each"));
+    format!("{}, {runs}, same draws", wanted.fidelity.word())
+}
+
+/// A line that says why there is nothing.
+fn nothing(text: &str, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    put(buf, area, 2, 2, text, theme.caution);
+}
