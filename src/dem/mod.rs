@@ -29,6 +29,7 @@ pub mod outcome;
 pub mod plain;
 pub mod run;
 pub mod scene;
+pub mod stability;
 pub mod stepper;
 
 pub use fidelity::{Controls, Fidelity};
