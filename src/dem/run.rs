@@ -14,10 +14,13 @@
 //! - *Silent failure*: an unstable step does not blow up, it shakes one bond until that breaks, early
 //!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
 //!   bond is nearly there. Where none was above [`SUDDEN`], or a twist shook by more than [`SHAKING`], the run is repeated with 0.7 of the step;
-//!   if that breaks suddenly too and elsewhere, it counts as diverged. Besides, the energies must balance.
-//! - *Error estimate*: 0.35 of the largest difference of punch and support force before the break over
-//!   the largest force, which is what inertia does and the weighting must cancel, and never less than
-//!   what the shortcuts may change. A test and the convergence tables hold it against true errors.
+//!   if that breaks suddenly too, and elsewhere, and its energies do not balance to 1 %, it counts as
+//!   diverged. In every run they must balance to 2 % and half the kinetic energy.
+//! - *Error estimate*: a part (0.35 anchored, 0.9 in the laboratory test) of the largest difference of
+//!   punch and support force before the break over the largest force, which is what inertia does and
+//!   the weighting must cancel, and never less than what the shortcuts may change. It holds nine times
+//!   in ten (`meshcast bench --convergence`). It does not see what a millimetre decides: under a punch
+//!   below 0.4 m the first break may jump between two ways of failing (see [`super::bifurcation`]).
 
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
@@ -52,9 +55,9 @@ pub const SUDDEN: f64 = 0.7;
 /// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed: sound runs of
 /// the bench scenes and of ensembles stay below 6, the first failing one had 12.
 pub const SHAKING: f64 = 8.0;
-/// Largest error of the curve over the largest difference of the forces on punch and support: up to
-/// about a third in the runs of the benchmark.
-const GAP_TO_ERROR: f64 = 0.35;
+/// Error over the largest difference of the forces on punch and support, anchored and laboratory: the
+/// nine tenths point of runs of random scenes with punches from 0.45 m, rounded up.
+const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
 /// Largest energy out of nowhere of a net at rest before a run counts as diverged, over the work of
 /// the punch: nearly all sound runs of random scenes stay below 0.005.
 const IMBALANCE: f64 = 0.02;
@@ -123,8 +126,10 @@ pub fn check(
             (Some(a), Some(b)) => (a.deflection / b.deflection - 1.0).abs() < 0.03,
             _ => false,
         };
-        // A sudden break that comes again with a shorter step is the net's own.
-        if again.sudden() && !near(again.first_break, outcome.first_break) {
+        // A sudden break is the net's own where it comes again with a shorter step, or where all energy
+        // is accounted for: a net may snap from one shape to another.
+        let balanced = again.quality.energy_balance.abs() < 0.5 * IMBALANCE;
+        if again.sudden() && !near(again.first_break, outcome.first_break) && !balanced {
             again.stop = Stop::Diverged;
         }
         outcome = again;
@@ -465,8 +470,9 @@ impl<'a> Run<'a> {
         let (punch, support) = late.fold((0.0, 0.0), |s, p| (s.0 + p.punch, s.1 + p.support));
         self.quality.kinetic_over_internal = self.energy.worst;
         self.quality.support_over_punch = if punch > 0.0 { support / punch } else { 0.0 };
+        let to_error = GAP_TO_ERROR[usize::from(self.scene.spec.test == Test::Laboratory)];
         self.quality.error_estimate =
-            (GAP_TO_ERROR * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
+            (to_error * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
         let curve = Curve {
             deflection: self.points.iter().map(|p| p.deflection).collect(),
             force: self.points.iter().map(weighted).collect(),

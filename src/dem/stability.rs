@@ -303,9 +303,9 @@ fn largest_of(diagonal: &[f64], beside: &[f64]) -> f64 {
     while high - low > 1.0e-6 * high {
         let middle = 0.5 * (low + high);
         let (mut above, mut minor) = (0, 1.0_f64);
-        for k in 0..n {
+        for (k, own) in diagonal.iter().enumerate() {
             let side = if k > 0 { off(k - 1) * off(k - 1) / minor } else { 0.0 };
-            minor = diagonal[k] - middle - side;
+            minor = own - middle - side;
             if minor == 0.0 {
                 minor = 1.0e-300;
             }

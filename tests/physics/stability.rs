@@ -68,8 +68,8 @@ fn eigenvalue(
             _ => (2 * pair, 2 * pair + 1),
         };
         let mut d = [0, 1, 2].map(|k| nodes[b][k] - nodes[a][k]);
-        for k in 0..2 {
-            d[k] -= lattice.size[k] * (d[k] / lattice.size[k]).round();
+        for (along, size) in d.iter_mut().zip(lattice.size) {
+            *along -= size * (*along / size).round();
         }
         let length = d.iter().map(|x| x * x).sum::<f64>().sqrt();
         springs.push((a, Some(b), d.map(|x| x / length), stiff[number]));
