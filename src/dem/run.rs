@@ -331,8 +331,7 @@ impl<'a> Run<'a> {
         }
         if self.energy.balanced > BALANCE {
             self.energy.balanced = 0.0;
-            let imbalance = self.imbalance(solver);
-            if imbalance.abs() * self.energy.work > self.unexplained() * self.energy.work + 1.0 {
+            if self.unbalanced(self.imbalance(solver)) {
                 return Some(Stop::Diverged);
             }
         }
@@ -366,6 +365,11 @@ impl<'a> Run<'a> {
     /// steps apart, so a net in motion may have a part of that energy more.
     fn unexplained(&self) -> f64 {
         IMBALANCE + 0.5 * self.energy.worst
+    }
+
+    /// Whether an imbalance is more than that, and more than a joule.
+    fn unbalanced(&self, imbalance: f64) -> bool {
+        imbalance.abs() * self.energy.work > self.unexplained() * self.energy.work + 1.0
     }
 
     /// Records the first break.
@@ -450,11 +454,14 @@ impl<'a> Run<'a> {
         Net { nodes: solver.positions(), bonds, deflection: solver.deflection() }
     }
 
-    fn finish(mut self, stop: Stop, solver: &dyn Stepper) -> Outcome {
+    fn finish(mut self, mut stop: Stop, solver: &dyn Stepper) -> Outcome {
         if self.first_break.is_none() {
             self.steps_to_break = self.steps;
             self.sample(solver);
             self.quality.energy_balance = self.imbalance(solver);
+            if self.unbalanced(self.quality.energy_balance) {
+                stop = Stop::Diverged;
+            }
             if self.controls.keep_net {
                 self.net = Some(self.drawn(solver));
             }

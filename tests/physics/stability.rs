@@ -210,15 +210,27 @@ fn noticed(outcome: &Outcome) -> bool {
     outcome.stop == Stop::Diverged || outcome.sudden()
 }
 
-/// Counts over scenes and factors beyond the bound: wrong ones, wrong ones that were noticed, right
-/// ones that were accused, and the steps that the longest of the noticed took to be noticed.
-fn survey_beyond(scenes: std::ops::Range<u64>, factors: &[f64]) -> [usize; 4] {
-    let mut counts = [0; 4];
+/// Runs at one step beyond the bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Beyond {
+    /// Whose first break is off by 5 % in deflection or 10 % in force from that of a short step.
+    wrong: usize,
+    /// Of these, those that say so.
+    noticed: usize,
+    /// Right ones that are not believed.
+    accused: usize,
+    /// Steps of the longest of the noticed.
+    steps: usize,
+}
+
+/// Runs of scenes at these factors of their bound, factor by factor.
+fn survey_beyond(scenes: std::ops::Range<u64>, factors: &[f64]) -> Vec<Beyond> {
+    let mut all = vec![Beyond::default(); factors.len()];
     for k in scenes {
         let scene = Scene::new(&random_scene(k)).unwrap();
         let own = quick_controls(1.0).scheme(&scene).unwrap();
         let sound = beyond(&scene, &own, 0.7);
-        for &factor in factors {
+        for (&factor, counts) in factors.iter().zip(&mut all) {
             let run = beyond(&scene, &own, factor);
             let wrong = match (run.first_break, sound.first_break) {
                 (Some(a), Some(b)) => {
@@ -228,13 +240,14 @@ fn survey_beyond(scenes: std::ops::Range<u64>, factors: &[f64]) -> [usize; 4] {
                 (None, None) => run.stop != sound.stop,
                 _ => true,
             };
-            counts[0] += usize::from(wrong);
-            counts[1] += usize::from(wrong && noticed(&run));
-            counts[2] += usize::from(!wrong && noticed(&run));
-            if wrong && noticed(&run) {
-                counts[3] = counts[3].max(run.cost.steps);
+            let noticed = noticed(&run);
+            counts.wrong += usize::from(wrong);
+            counts.noticed += usize::from(wrong && noticed);
+            counts.accused += usize::from(!wrong && noticed);
+            if wrong && noticed {
+                counts.steps = counts.steps.max(run.cost.steps);
             }
-            if wrong && !noticed(&run) {
+            if wrong && !noticed {
                 println!(
                     "not noticed: {k} at {factor}: {:?} {:?}, sound {:?}, {:?}",
                     run.stop, run.first_break, sound.first_break, run.quality
@@ -242,29 +255,34 @@ fn survey_beyond(scenes: std::ops::Range<u64>, factors: &[f64]) -> [usize; 4] {
             }
         }
     }
-    counts
+    all
 }
 
 #[test]
 fn runs_far_beyond_the_bound_are_noticed() {
-    let [wrong, noticed, accused, steps] = survey_beyond(0..12, &[1.5, 2.0]);
-    println!("{wrong} wrong, {noticed} noticed after {steps} steps at most, {accused} accused");
-    // At half again the bound's step nothing is right, and nothing may pass for it.
-    assert_eq!((wrong, noticed, accused), (24, 24, 0));
-    // Growth is by a factor in every step; the account is looked at every 20 mm of the punch's way.
-    assert!(steps < 6_000, "{steps}");
+    let all = survey_beyond(0..12, &[1.5, 2.0]);
+    println!("{all:?}");
+    for counts in all {
+        // At half again the bound's step nothing is right, and nothing may pass for it.
+        assert_eq!((counts.wrong, counts.noticed, counts.accused), (12, 12, 0));
+        // Growth is by a factor in every step; the account is looked at every 64 steps at most.
+        assert!(counts.steps < 6_000, "{counts:?}");
+    }
 }
 
 /// `cargo test --release --test physics -- --ignored --nocapture beyond_the_bound`
 #[test]
-#[ignore = "a minute: 200 scenes at five steps beyond their bound"]
+#[ignore = "a minute: 100 scenes at seven steps in and beyond their bound"]
 fn runs_beyond_the_bound_are_noticed_or_right() {
-    for factor in [1.05, 1.1, 1.2, 1.3, 1.5, 2.0] {
-        let [wrong, noticed, accused, steps] = survey_beyond(0..200, &[factor]);
-        println!(
-            "{factor} of the bound: of 200 runs {wrong} wrong, {noticed} of them noticed after {steps} \
-             steps at most, {accused} right ones accused"
-        );
+    let factors = [0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 2.0];
+    let all = survey_beyond(0..100, &factors);
+    for (factor, counts) in factors.iter().zip(&all) {
+        println!("{factor} of the bound, 100 runs: {counts:?}");
+    }
+    // From a fifth beyond the bound on, what is wrong is not passed off as right but for a scene or two
+    // in a hundred whose break depends on a millimetre anyway.
+    for counts in &all[3..] {
+        assert!(counts.wrong - counts.noticed <= 2, "{counts:?}");
     }
 }
 
