@@ -35,9 +35,9 @@ use history::{History, Step};
 use keymap::Context;
 use look::Look;
 use settings::{Preferences, Settings};
-use studies::Studies;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use studies::Studies;
 
 /// What lies over the main screen.
 #[derive(Debug, Clone)]

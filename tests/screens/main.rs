@@ -5,3 +5,4 @@ mod harness;
 mod readme;
 mod scripts;
 mod snapshots;
+mod studies;

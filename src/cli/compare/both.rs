@@ -2,9 +2,9 @@
 
 use super::Compared;
 use super::text::{NAME, cut};
-use crate::study::checks::figures::Figures;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
+use crate::study::checks::figures::Figures;
 use crate::units::{LengthUnit, significant, to_kn};
 
 /// The table of the checks with what to know of them; nothing where none were asked for.

@@ -1,11 +1,11 @@
 //! Checks as further columns of a study's CSV: SI with kN.
 
-use crate::study::checks::figures::Figures;
 use crate::cli::output::cell;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
 use crate::study::checks::Answer;
 use crate::study::checks::change::Change;
+use crate::study::checks::figures::Figures;
 use crate::units::to_kn;
 
 /// Names of the columns of [`cells`], each with a comma in front.

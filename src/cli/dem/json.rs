@@ -1,12 +1,12 @@
 //! Checks in the JSON of a study: SI with kN.
 
-use crate::study::checks::figures::Figures;
 use crate::cli::output::{number, optional};
 use crate::dem::Fidelity;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
 use crate::study::checks::Answer;
 use crate::study::checks::change::{Change, Known};
+use crate::study::checks::figures::Figures;
 use crate::study::verdict::{Verdict, Wanted};
 use crate::units::{to_kn, without_noise};
 use serde::Serialize;

@@ -1,11 +1,11 @@
 //! Tornadoes of forecast and check side by side, on one scale, so that they can be compared.
 
 use super::Studied;
-use crate::study::checks::figures::Figures;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
 use crate::study::case::Outcome;
 use crate::study::checks::Answer;
+use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedSensitivity, CheckedStep};
 use crate::study::sensitivity::scale::Scale;
 use crate::study::sensitivity::{Effect, Step};

@@ -2,10 +2,10 @@
 
 use super::Swept;
 use super::text::deflection;
-use crate::study::checks::figures::Figures;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::study::case::Outcome;
 use crate::study::checks::Answer;
+use crate::study::checks::figures::Figures;
 use crate::study::sweep::{dem, extent};
 use crate::units::{significant, to_kn};
 

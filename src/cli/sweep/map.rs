@@ -3,10 +3,10 @@
 
 use super::Swept;
 use super::text::deflection;
-use crate::study::checks::figures::Figures;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::forecast::design::Question;
 use crate::study::case::{NoValue, Outcome, Point};
+use crate::study::checks::figures::Figures;
 use crate::study::checks::{Answer, NoCheck};
 use crate::study::sweep::Axis;
 use crate::units::{LengthUnit, significant, to_kn};

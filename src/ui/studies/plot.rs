@@ -72,14 +72,16 @@ impl Plot {
     /// A value in dots of a canvas over the plot.
     pub fn dot(&self, x: f64, y: f64, canvas: &Canvas) -> (f64, f64) {
         let (w, h) = canvas.dots();
-        (
-            self.x.part(x) * f64::from(w - 1) + 0.5,
-            (1.0 - self.y.part(y)) * f64::from(h - 1) + 0.5,
-        )
+        (self.x.part(x) * f64::from(w - 1) + 0.5, (1.0 - self.y.part(y)) * f64::from(h - 1) + 0.5)
     }
 
     /// Draws a curve; what is no number breaks it.
-    pub fn curve(&self, points: impl IntoIterator<Item = (f64, f64)>, pen: Pen, canvas: &mut Canvas) {
+    pub fn curve(
+        &self,
+        points: impl IntoIterator<Item = (f64, f64)>,
+        pen: Pen,
+        canvas: &mut Canvas,
+    ) {
         let dots: Vec<(f64, f64)> =
             points.into_iter().map(|(x, y)| self.dot(x, y, canvas)).collect();
         canvas.line(dots, pen);

@@ -26,7 +26,8 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         heading(buf, area, &format!("sensitivity of {name}"), "", theme);
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
-    let title = format!("sensitivity of {name}: change of {}", symbol(view.effect));
+    let unit = unit_of(view.effect, app.units());
+    let title = format!("sensitivity of {name}: change of {}, {unit}", symbol(view.effect));
     heading(buf, area, &title, value(view.effect), theme);
     let mut rest = below(area, 1);
     let columns = usize::from(rest.width.saturating_sub(2));
@@ -90,8 +91,7 @@ fn top(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
             return vec![(text, theme.caution)];
         }
     };
-    let used =
-        |u: Option<f64>| u.map_or(String::new(), |u| format!(", use {} %", percent(u)));
+    let used = |u: Option<f64>| u.map_or(String::new(), |u| format!(", use {} %", percent(u)));
     let v = point.values();
     let text = format!(
         "forecast F_a {}, delta_a {}{}",
@@ -102,10 +102,8 @@ fn top(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     let mut lines = vec![(text, theme.forecast)];
     let text = match &view.checked.base {
         Ok(verdict) if verdict.broke() => {
-            let used = used(crate::study::checks::utilisation(
-                &view.case.question,
-                verdict.force.mean,
-            ));
+            let used =
+                used(crate::study::checks::utilisation(&view.case.question, verdict.force.mean));
             let (force, delta) = (verdict.force.mean, verdict.deflection.mean);
             format!("DEM      F   {}, delta   {}{used}", force_text(force), m(delta))
         }
@@ -166,24 +164,25 @@ fn tornado(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) 
     if effect == Effect::Deflection {
         lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "d_a");
     } else if effect == Effect::Utilisation {
-        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "fc");
+        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "use");
     }
     let label: u16 = if wide { 28 } else { 9 };
     let number: u16 = if wide { 9 } else { 7 };
     let start = label + 4 + 2 * number + 1;
     let half = area.width.saturating_sub(start + 2) / 2;
     let head = Rect { height: 1.min(area.height), ..area };
-    put(buf, head, 0, 1, &format!("input, {}", unit_of(effect, unit)), theme.heading);
+    put(buf, head, 0, 1, "input", theme.heading);
     let ends = format!("{:>w$}{:>w$}", "lowered", "raised", w = usize::from(number));
     put(buf, head, 0, label + 4, &ends, theme.heading);
-    if half > 0 {
+    let list = below(area, 1);
+    let rows = usize::from(list.height);
+    let scrolled = lines.len() > rows;
+    if half > 0 && !scrolled {
         let (left, right) = (format!("-{}", scale.size(most)), format!("+{}", scale.size(most)));
         put(buf, head, 0, start, &left, theme.heading);
         put(buf, head, 0, start + half, "0", theme.heading);
         put_right(buf, Rect { width: start + 2 * half + 1, ..head }, 0, &right, theme.heading);
     }
-    let list = below(area, 1);
-    let rows = usize::from(list.height);
     let first = view.scroll.min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
         let row = row as u16;
@@ -198,9 +197,9 @@ fn tornado(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) 
             put(buf, list, row, start, &drawn, line.style);
         }
     }
-    let more = lines.len().saturating_sub(first + rows);
-    if more > 0 || first > 0 {
-        let text = format!(" {}-{} of {} ", first + 1, (first + rows).min(lines.len()), lines.len());
+    if scrolled {
+        let text =
+            format!(" {}-{} of {} ", first + 1, (first + rows).min(lines.len()), lines.len());
         put(buf, head, 0, area.width.saturating_sub(text.len() as u16), &text, theme.title);
     }
 }
@@ -267,14 +266,11 @@ fn signs(glyphs: Glyphs) -> [char; 4] {
 
 fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     let [lowered, raised, both, _] = signs(theme.glyphs);
-    let offset = length_text(
-        crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing,
-        app.units(),
-    );
+    let offset =
+        length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing, app.units());
     let mut lines = vec![(
         format!(
-            "bars: {lowered} input lowered, {raised} raised, {both} both; \
-             steps 10 %, of ex and ey {offset} (L/20)"
+            "{lowered} lowered {raised} raised {both} both; steps 10 %, of ex and ey {offset} (L/20)"
         ),
         theme.text,
     )];
@@ -282,7 +278,7 @@ fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     if coverage.any() || app.campaign().is_some() {
         lines.push((
             format!(
-                "DEM: {} of {} checks; {}; ~ may be chance (two standard errors)",
+                "DEM: {} of {} checks, {}; ~ may be chance",
                 coverage.have,
                 coverage.of,
                 plan(&app.study_wanted())
