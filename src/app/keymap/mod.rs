@@ -134,13 +134,17 @@ pub enum Context {
     Settings,
     /// How the answer moves with each input.
     Sensitivity,
+    /// One input over a range, or two over a map.
+    Sweep,
     /// The layouts side by side.
     Compare,
+    /// What just meets the design values.
+    Design,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 9] = [
+    pub const ALL: [Context; 11] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -149,7 +153,9 @@ impl Context {
         Context::ConfirmRecovery,
         Context::Settings,
         Context::Sensitivity,
+        Context::Sweep,
         Context::Compare,
+        Context::Design,
     ];
 
     /// Heading in the help.
@@ -163,7 +169,9 @@ impl Context {
             Context::ConfirmRecovery => "Edits kept from a lost session",
             Context::Settings => "Settings",
             Context::Sensitivity => "Sensitivity",
+            Context::Sweep => "Sweep",
             Context::Compare => "Compare",
+            Context::Design => "Design",
         }
     }
 }

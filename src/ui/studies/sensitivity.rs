@@ -2,7 +2,7 @@
 
 use super::super::text::{below, cut, heading, put, put_right};
 use super::super::theme::Theme;
-use super::{nothing, plan};
+use super::{nothing, plan, symbol, unit_of, value};
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::sensitivity::View;
@@ -46,31 +46,6 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let first = foot.height.min(room).saturating_sub(notes.len() as u16);
     for (row, (text, style)) in notes.iter().enumerate() {
         put(buf, foot, first + row as u16, 1, &cut(text, columns), *style);
-    }
-}
-
-fn symbol(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "F",
-        Effect::Deflection => "delta",
-        Effect::Utilisation => "use",
-    }
-}
-
-/// What the arrows go through.
-fn value(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "[F] delta use",
-        Effect::Deflection => "F [delta] use",
-        Effect::Utilisation => "F delta [use]",
-    }
-}
-
-fn unit_of(effect: Effect, unit: LengthUnit) -> &'static str {
-    match effect {
-        Effect::Force => "kN",
-        Effect::Deflection => unit.symbol(),
-        Effect::Utilisation => "%",
     }
 }
 
