@@ -6,3 +6,4 @@ mod harness;
 mod readme;
 mod scripts;
 mod snapshots;
+mod studies;

@@ -159,13 +159,17 @@ pub enum Context {
     Export,
     /// How the answer moves with each input.
     Sensitivity,
+    /// One input over a range, or two over a map.
+    Sweep,
     /// The layouts side by side.
     Compare,
+    /// What just meets the design values.
+    Design,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 13] = [
+    pub const ALL: [Context; 15] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -178,7 +182,9 @@ impl Context {
         Context::Tour,
         Context::Export,
         Context::Sensitivity,
+        Context::Sweep,
         Context::Compare,
+        Context::Design,
     ];
 
     /// Heading in the help.
@@ -196,7 +202,9 @@ impl Context {
             Context::Tour => "Tour",
             Context::Export => "What to write",
             Context::Sensitivity => "Sensitivity",
+            Context::Sweep => "Sweep",
             Context::Compare => "Compare",
+            Context::Design => "Design",
         }
     }
 }

@@ -20,10 +20,24 @@ pub(super) const BINDINGS: &[Binding] = &[
     ),
     bind(
         C::Main,
+        ask(Ask::Open(Page::Sweep)),
+        &[c('w')],
+        "sweep: one input over a range as a chart, or two as a map",
+        Some("sweep"),
+    ),
+    bind(
+        C::Main,
         ask(Ask::Open(Page::Compare)),
         &[c('v')],
         "compare: all layouts in a table that can be sorted, with their curves",
         Some("compare"),
+    ),
+    bind(
+        C::Main,
+        ask(Ask::Open(Page::Design)),
+        &[c('g')],
+        "design: which d, L or D just meets the design values",
+        Some("design"),
     ),
     bind(
         C::Sensitivity,
@@ -57,6 +71,107 @@ pub(super) const BINDINGS: &[Binding] = &[
     bind(C::Sensitivity, A::PreviousLayout, &[p(Code::BackTab)], "previous layout", None),
     bind(C::Sensitivity, A::Down, &[p(Code::Down), c('j')], "scroll down", None),
     bind(C::Sensitivity, A::Up, &[p(Code::Up), c('k')], "scroll up", None),
+    bind(
+        C::Sweep,
+        ask(Ask::NextColumn),
+        &[p(Code::Right), c('+')],
+        "next input, or a step up of its range or number of values",
+        None,
+    ),
+    bind(C::Sweep, ask(Ask::PreviousColumn), &[p(Code::Left)], "the same back", None),
+    bind(
+        C::Sweep,
+        A::Down,
+        &[p(Code::Down), c('j')],
+        "go on to the range, its number of values, the second input",
+        Some("range"),
+    ),
+    bind(C::Sweep, A::Up, &[p(Code::Up), c('k')], "go back", None),
+    bind(C::Sweep, A::Type, &[p(Code::Enter)], "type a value; a digit starts it too", None),
+    bind(
+        C::Sweep,
+        ask(Ask::Two),
+        &[c('2')],
+        "a second input, which makes a map; on a range it starts a value",
+        Some("map"),
+    ),
+    bind(C::Sweep, ask(Ask::SecondInput), &[c('m')], "a second input, or only one again", None),
+    bind(C::Sweep, A::Check, &[c('c')], "check every point by simulation", Some("check")),
+    bind(
+        C::Sweep,
+        ask(Ask::NextValue),
+        &[c('e'), c(' ')],
+        "show the next value: F, delta, utilisation",
+        Some("value"),
+    ),
+    bind(C::Sweep, ask(Ask::MarkNext), &[c('>')], "mark the next point", Some("mark")),
+    bind(C::Sweep, ask(Ask::MarkPrevious), &[c('<')], "mark the previous point", None),
+    bind(
+        C::Sweep,
+        ask(Ask::Adopt),
+        &[c('a')],
+        "take the marked point into the layout; undo takes it back",
+        Some("take"),
+    ),
+    bind(
+        C::Sweep,
+        ask(Ask::Layer),
+        &[c('d')],
+        "a map of the checks, or of the forecast, where one of them fits",
+        None,
+    ),
+    bind(C::Sweep, A::Fidelity, &[c('f')], "how exactly the checks of studies compute", None),
+    bind(C::Sweep, A::NextLayout, &[p(Code::Tab)], "next layout", None),
+    bind(C::Sweep, A::PreviousLayout, &[p(Code::BackTab)], "previous layout", None),
+    bind(C::Design, A::Down, &[p(Code::Down), c('j')], "next value", None),
+    bind(C::Design, A::Up, &[p(Code::Up), c('k')], "previous value", None),
+    bind(
+        C::Design,
+        A::Take,
+        &[p(Code::Enter)],
+        "take the marked value into the layout; undo takes it back",
+        Some("take"),
+    ),
+    bind(
+        C::Design,
+        ask(Ask::DesignForce),
+        &[c('F')],
+        "type the design force; a digit starts it too",
+        Some("force"),
+    ),
+    bind(
+        C::Design,
+        ask(Ask::AllowableDeflection),
+        &[c('D')],
+        "type the allowable deflection",
+        Some("deflection"),
+    ),
+    bind(C::Design, ask(Ask::LoadFactor), &[c('L')], "type the partial factor on the load", None),
+    bind(
+        C::Design,
+        ask(Ask::ResistanceFactor),
+        &[c('R')],
+        "type the partial factor on the resistance",
+        None,
+    ),
+    bind(
+        C::Design,
+        ask(Ask::NextColumn),
+        &[p(Code::Right), c('e'), c(' ')],
+        "what has to be met: force, deflection or both",
+        Some("asked"),
+    ),
+    bind(C::Design, ask(Ask::PreviousColumn), &[p(Code::Left)], "the same back", None),
+    bind(
+        C::Design,
+        A::Check,
+        &[c('c')],
+        "check the layout and every value that can be taken by simulation",
+        Some("check"),
+    ),
+    bind(C::Design, A::Fidelity, &[c('f')], "how exactly the checks of studies compute", None),
+    bind(C::Design, A::NextLayout, &[p(Code::Tab)], "next layout", None),
+    bind(C::Design, A::PreviousLayout, &[p(Code::BackTab)], "previous layout", None),
     bind(C::Compare, A::Down, &[p(Code::Down), c('j'), p(Code::Tab)], "next layout", None),
     bind(C::Compare, A::Up, &[p(Code::Up), c('k'), p(Code::BackTab)], "previous layout", None),
     bind(
@@ -90,7 +205,7 @@ pub(super) const BINDINGS: &[Binding] = &[
 type Bare = (A, &'static [Key], &'static str, Option<&'static str>);
 
 /// Number of the keys that hold on every page.
-const SHARED: usize = 11;
+const SHARED: usize = 13;
 
 /// Keys that hold on every page.
 const EVERYWHERE: [Bare; SHARED] = [
@@ -107,7 +222,9 @@ const EVERYWHERE: [Bare; SHARED] = [
     (A::Units, &[c('t')], "lengths in m or mm", None),
     (A::Save, &[Key::ctrl('s')], "save", None),
     (ask(Ask::Open(Page::Sensitivity)), &[c('s')], "sensitivity", None),
+    (ask(Ask::Open(Page::Sweep)), &[c('w')], "sweep", None),
     (ask(Ask::Open(Page::Compare)), &[c('v')], "compare", None),
+    (ask(Ask::Open(Page::Design)), &[c('g')], "design", None),
     (A::Redraw, &[Key::ctrl('l')], "draw the screen anew", None),
     (A::Suspend, &[Key::ctrl('z')], "suspend", None),
 ];
@@ -126,4 +243,5 @@ const fn on(context: C) -> [Binding; SHARED] {
 }
 
 /// What holds on every page, page after page.
-pub(super) static COMMON: [[Binding; SHARED]; 2] = [on(C::Sensitivity), on(C::Compare)];
+pub(super) static COMMON: [[Binding; SHARED]; 4] =
+    [on(C::Sensitivity), on(C::Sweep), on(C::Compare), on(C::Design)];

@@ -173,7 +173,7 @@ impl App {
             Ask::SortNext => state.sort = Some(state.sort.map_or(0, |at| (at + 1).min(last))),
             Ask::SortPrevious => state.sort = state.sort.and_then(|at| at.checked_sub(1)),
             Ask::Reverse => state.falling = !state.falling,
-            Ask::Open(_) => {}
+            _ => return,
         }
         if matches!(ask, Ask::SortNext | Ask::SortPrevious | Ask::Reverse) {
             let way = if state.falling { "falling" } else { "rising" };

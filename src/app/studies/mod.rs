@@ -1,17 +1,21 @@
 //! The pages of studies: what each shows, what a key does on it, and the checks behind it.
 //!
-//! - [`sensitivity`], [`compare`]: a page each, with its state and what it shows.
+//! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: a page each, with its state and what it shows.
+//! - [`typed`]: what is typed on them.
 //! - [`campaign`]: the checks of a page's cases: what runs, what is kept and what it is worth now.
 //!
 //! What a page shows is made anew after each message while the page is open, and never while drawing.
 
 pub mod campaign;
 pub mod compare;
+pub mod design;
 pub mod sensitivity;
+pub mod sweep;
 pub mod typed;
 
 use super::entry::{Entry, Target};
-use super::key::Key;
+use super::field::Field;
+use super::key::{Code, Key};
 use super::keymap::{Action, Context};
 use super::message::Effect;
 use super::{App, Mode, derived};
@@ -20,14 +24,19 @@ use crate::study::case::Case;
 use crate::study::sensitivity::Effect as Shown;
 use crate::units::significant;
 use campaign::Campaigns;
+use std::sync::Arc;
 
 /// A page of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Page {
     /// How the answer moves with each input.
     Sensitivity,
+    /// One input over a range, or two over a map.
+    Sweep,
     /// The layouts side by side.
     Compare,
+    /// What just meets the design values.
+    Design,
 }
 
 impl Page {
@@ -35,7 +44,9 @@ impl Page {
     pub fn word(self) -> &'static str {
         match self {
             Page::Sensitivity => "sensitivity",
+            Page::Sweep => "sweep",
             Page::Compare => "compare",
+            Page::Design => "design",
         }
     }
 
@@ -43,7 +54,9 @@ impl Page {
     pub fn context(self) -> Context {
         match self {
             Page::Sensitivity => Context::Sensitivity,
+            Page::Sweep => Context::Sweep,
             Page::Compare => Context::Compare,
+            Page::Design => Context::Design,
         }
     }
 }
@@ -63,6 +76,28 @@ pub enum Ask {
     SortPrevious,
     /// Sort the other way round.
     Reverse,
+    /// Show the next of force, deflection and utilisation.
+    NextValue,
+    /// Mark the next point.
+    MarkNext,
+    /// Mark the previous point.
+    MarkPrevious,
+    /// Vary a second input, or stop.
+    SecondInput,
+    /// The same by a digit, which on a range begins a value.
+    Two,
+    /// Show the checks of a map instead of its forecast, or the other way round.
+    Layer,
+    /// Take the marked point into the layout.
+    Adopt,
+    /// Type the design force.
+    DesignForce,
+    /// Type the allowable deflection.
+    AllowableDeflection,
+    /// Type the partial factor on the load.
+    LoadFactor,
+    /// Type the partial factor on the resistance.
+    ResistanceFactor,
 }
 
 /// All that the state knows of studies. It outlives the pages, so that a page comes back as it was.
@@ -74,7 +109,9 @@ pub struct Studies {
     /// The page that the help lies over.
     behind: Option<Page>,
     sensitivity: sensitivity::State,
+    sweep: sweep::State,
     compare: compare::State,
+    design: design::State,
 }
 
 impl App {
@@ -122,6 +159,7 @@ impl App {
             Action::Stop => self.mode = Mode::Main,
             Action::Fidelity if page != Page::Compare => self.next_study_fidelity(),
             Action::Take => self.study_take(page),
+            Action::Type if page == Page::Sweep => return Some(self.type_slot(None)),
             _ => return None,
         }
         Some(Vec::new())
@@ -134,13 +172,27 @@ impl App {
         }
         match self.page_open() {
             Some(Page::Sensitivity) => self.sensitivity_ask(ask),
+            Some(Page::Sweep) => self.sweep_ask(ask),
             Some(Page::Compare) => self.compare_ask(ask),
+            Some(Page::Design) => self.design_ask(ask),
             None => {}
         }
     }
 
-    /// A key that has no meaning on a page.
-    pub(super) fn study_key(&mut self, _page: Page, key: Key) {
+    /// A key that has no meaning on a page: a digit starts a value where one can be typed.
+    pub(super) fn study_key(&mut self, page: Page, key: Key) {
+        if let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key
+            && (c.is_ascii_digit() || matches!(c, '.' | '-'))
+        {
+            match page {
+                Page::Sweep => {
+                    self.type_slot(Some(c));
+                    return;
+                }
+                Page::Design => return self.type_design(Field::DesignForce, c),
+                Page::Sensitivity | Page::Compare => {}
+            }
+        }
         self.inform(format!("{key} does nothing here; ? shows the keys"));
     }
 
@@ -154,14 +206,17 @@ impl App {
     fn study_move(&mut self, page: Page, lines: isize) {
         match page {
             Page::Sensitivity => self.sensitivity_move(lines),
+            Page::Sweep => self.sweep_move(lines),
             Page::Compare => self.compare_move(lines),
+            Page::Design => self.design_move(lines),
         }
     }
 
     fn study_take(&mut self, page: Page) {
         match page {
             Page::Compare => self.compare_take(),
-            Page::Sensitivity => {}
+            Page::Design => self.design_take(),
+            Page::Sensitivity | Page::Sweep => {}
         }
     }
 
@@ -174,6 +229,17 @@ impl App {
                 let cases = self.studies.sensitivity.cases();
                 self.start_campaign(page, cases)
             }
+            Page::Sweep => match self.studies.sweep.cases() {
+                Ok(cases) => self.start_campaign(page, cases),
+                Err(why) => {
+                    self.complain(why);
+                    Vec::new()
+                }
+            },
+            Page::Design => {
+                let cases = self.studies.design.cases();
+                self.start_campaign(page, cases)
+            }
         }
     }
 
@@ -181,8 +247,33 @@ impl App {
     pub(super) fn follow_page(&mut self) {
         match self.page_open() {
             Some(Page::Sensitivity) => self.make_sensitivity(),
+            Some(Page::Sweep) => self.make_sweep(),
             Some(Page::Compare) => self.make_comparison(),
+            Some(Page::Design) => self.make_design(),
             None => {}
+        }
+    }
+
+    /// Makes the selected layout's sizes those of a case, as an edit that can be undone.
+    fn take_into_layout(&mut self, case: Case, words: &str) {
+        if let Err(problems) = case.layout.check() {
+            let why = problems.first().map_or(String::new(), |p| p.to_string());
+            return self.complain(why);
+        }
+        let at = self.selected;
+        let to = case.layout;
+        let label = format!("{words} of {}", self.layout().name);
+        let before = self.project.clone();
+        self.edit(label, |project| {
+            let layout = &mut project.layouts[at];
+            (layout.plate, layout.spacing, layout.punch) = (to.plate, to.spacing, to.punch);
+            (layout.ex, layout.ey) = (to.ex, to.ey);
+        });
+        let name = self.layout().name.clone();
+        if Arc::ptr_eq(&before, &self.project) {
+            self.inform(format!("{name} is like that already"));
+        } else {
+            self.inform(format!("{words} of {name} set; u undoes it"));
         }
     }
 

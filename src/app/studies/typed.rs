@@ -1,21 +1,25 @@
-//! What is typed on a page of a study: a design value of the layout.
+//! What is typed on a page of a study.
 
 use super::super::App;
 use super::super::field::Field;
 use super::Page;
+use super::sweep::Slot;
 
 /// What a typed text is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Typed {
     /// A design value or a partial factor of the selected layout.
     Design(Field),
+    /// A part of a range: of the first input (0) or the second (1), and which.
+    Range(usize, Slot),
 }
 
 impl Typed {
     /// The page it belongs to.
     pub fn page(self) -> Page {
         match self {
-            Typed::Design(_) => Page::Compare,
+            Typed::Design(_) => Page::Design,
+            Typed::Range(..) => Page::Sweep,
         }
     }
 
@@ -23,6 +27,10 @@ impl Typed {
     pub fn prompt(self) -> &'static str {
         match self {
             Typed::Design(field) => field.phrase(),
+            Typed::Range(_, Slot::Input) => "input",
+            Typed::Range(_, Slot::From) => "from",
+            Typed::Range(_, Slot::To) => "to",
+            Typed::Range(_, Slot::Steps) => "number of values",
         }
     }
 }
@@ -38,8 +46,9 @@ impl App {
                 let value = field.read(text, self.layout(), self.units())?;
                 self.field = field;
                 self.set_field(value);
+                Ok(())
             }
+            Typed::Range(axis, slot) => self.take_slot(axis, slot, text),
         }
-        Ok(())
     }
 }

@@ -17,6 +17,8 @@ use ratatui::layout::Rect;
 
 /// Curves that can be told apart in one chart, the marked one included.
 const CURVES: usize = 6;
+/// Columns below which the answers stand before the inputs.
+const NARROW: u16 = 60;
 /// Points a curve is drawn through.
 const POINTS: usize = 61;
 
@@ -151,12 +153,16 @@ fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
 
 fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let unit = app.units();
-    let name = if area.width >= 70 { 14 } else { 10 };
+    let name = if area.width >= 70 { 13 } else { 10 };
     let sort = app.comparison_sort();
     // As many columns behind the name as fit.
     let mut shown: Vec<(Head, u16)> = Vec::new();
     let mut end = 4 + name;
-    let heads = &Head::ALL[1..];
+    let mut heads = Head::ALL[1..].to_vec();
+    if area.width < NARROW {
+        // Where a few columns fit, the answers come before the inputs.
+        heads.rotate_left(5);
+    }
     for head in heads.iter().skip(app.comparison_first()) {
         end += columns_of(*head);
         if end > area.width {

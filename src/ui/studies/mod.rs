@@ -1,15 +1,20 @@
-//! The pages of studies, one a file; [`plot`] is the chart that they share.
+//! The pages of studies, one a file; [`map`] is a sweep of two inputs, [`plot`] the chart that they share.
 
 pub mod compare;
+pub mod design;
+pub mod map;
 pub mod plot;
 pub mod sensitivity;
+pub mod sweep;
 
 use super::text::{clear, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::studies::Page;
 use crate::job::pace::duration;
+use crate::study::sensitivity::Effect;
 use crate::study::verdict::Wanted;
+use crate::units::LengthUnit;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -18,7 +23,9 @@ pub fn draw(app: &App, page: Page, area: Rect, buf: &mut Buffer, theme: &Theme) 
     clear(buf, area);
     match page {
         Page::Sensitivity => sensitivity::draw(app, area, buf, theme),
+        Page::Sweep => sweep::draw(app, area, buf, theme),
         Page::Compare => compare::draw(app, area, buf, theme),
+        Page::Design => design::draw(app, area, buf, theme),
     }
 }
 
@@ -46,4 +53,31 @@ fn plan(wanted: &Wanted) -> String {
 /// A line that says why there is nothing.
 fn nothing(text: &str, area: Rect, buf: &mut Buffer, theme: &Theme) {
     put(buf, area, 2, 2, text, theme.caution);
+}
+
+/// The paper's symbol of what is shown.
+fn symbol(effect: Effect) -> &'static str {
+    match effect {
+        Effect::Force => "F",
+        Effect::Deflection => "delta",
+        Effect::Utilisation => "use",
+    }
+}
+
+/// What a key goes through, with the one that is shown.
+fn value(effect: Effect) -> &'static str {
+    match effect {
+        Effect::Force => "[F] delta use",
+        Effect::Deflection => "F [delta] use",
+        Effect::Utilisation => "F delta [use]",
+    }
+}
+
+/// The unit of what is shown.
+fn unit_of(effect: Effect, unit: LengthUnit) -> &'static str {
+    match effect {
+        Effect::Force => "kN",
+        Effect::Deflection => unit.symbol(),
+        Effect::Utilisation => "%",
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::super::text::{below, cut, heading, put, put_right};
 use super::super::theme::Theme;
-use super::{nothing, plan};
+use super::{nothing, plan, symbol, unit_of, value};
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::sensitivity::View;
@@ -26,7 +26,8 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         heading(buf, area, &format!("sensitivity of {name}"), "", theme);
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
-    let title = format!("sensitivity of {name}: change of {}", symbol(view.effect));
+    let unit = unit_of(view.effect, app.units());
+    let title = format!("sensitivity of {name}: change of {}, {unit}", symbol(view.effect));
     heading(buf, area, &title, value(view.effect), theme);
     let mut rest = below(area, 1);
     let columns = usize::from(rest.width.saturating_sub(2));
@@ -45,31 +46,6 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let first = foot.height.min(room).saturating_sub(notes.len() as u16);
     for (row, (text, style)) in notes.iter().enumerate() {
         put(buf, foot, first + row as u16, 1, &cut(text, columns), *style);
-    }
-}
-
-fn symbol(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "F",
-        Effect::Deflection => "delta",
-        Effect::Utilisation => "use",
-    }
-}
-
-/// What the arrows go through.
-fn value(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "[F] delta use",
-        Effect::Deflection => "F [delta] use",
-        Effect::Utilisation => "F delta [use]",
-    }
-}
-
-fn unit_of(effect: Effect, unit: LengthUnit) -> &'static str {
-    match effect {
-        Effect::Force => "kN",
-        Effect::Deflection => unit.symbol(),
-        Effect::Utilisation => "%",
     }
 }
 
@@ -163,24 +139,25 @@ fn tornado(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) 
     if effect == Effect::Deflection {
         lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "d_a");
     } else if effect == Effect::Utilisation {
-        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "fc");
+        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "use");
     }
     let label: u16 = if wide { 28 } else { 9 };
     let number: u16 = if wide { 9 } else { 7 };
     let start = label + 4 + 2 * number + 1;
     let half = area.width.saturating_sub(start + 2) / 2;
     let head = Rect { height: 1.min(area.height), ..area };
-    put(buf, head, 0, 1, &format!("input, {}", unit_of(effect, unit)), theme.heading);
+    put(buf, head, 0, 1, "input", theme.heading);
     let ends = format!("{:>w$}{:>w$}", "lowered", "raised", w = usize::from(number));
     put(buf, head, 0, label + 4, &ends, theme.heading);
-    if half > 0 {
+    let list = below(area, 1);
+    let rows = usize::from(list.height);
+    let scrolled = lines.len() > rows;
+    if half > 0 && !scrolled {
         let (left, right) = (format!("-{}", scale.size(most)), format!("+{}", scale.size(most)));
         put(buf, head, 0, start, &left, theme.heading);
         put(buf, head, 0, start + half, "0", theme.heading);
         put_right(buf, Rect { width: start + 2 * half + 1, ..head }, 0, &right, theme.heading);
     }
-    let list = below(area, 1);
-    let rows = usize::from(list.height);
     let first = view.scroll.min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
         let row = row as u16;
@@ -195,8 +172,7 @@ fn tornado(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) 
             put(buf, list, row, start, &drawn, line.style);
         }
     }
-    let more = lines.len().saturating_sub(first + rows);
-    if more > 0 || first > 0 {
+    if scrolled {
         let text =
             format!(" {}-{} of {} ", first + 1, (first + rows).min(lines.len()), lines.len());
         put(buf, head, 0, area.width.saturating_sub(text.len() as u16), &text, theme.title);
@@ -269,8 +245,7 @@ fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
         length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing, app.units());
     let mut lines = vec![(
         format!(
-            "bars: {lowered} input lowered, {raised} raised, {both} both; \
-             steps 10 %, of ex and ey {offset} (L/20)"
+            "{lowered} lowered {raised} raised {both} both; steps 10 %, of ex and ey {offset} (L/20)"
         ),
         theme.text,
     )];
@@ -278,7 +253,7 @@ fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     if coverage.any() || app.campaign().is_some() {
         lines.push((
             format!(
-                "DEM: {} of {} checks; {}; ~ may be chance (two standard errors)",
+                "DEM: {} of {} checks, {}; ~ may be chance",
                 coverage.have,
                 coverage.of,
                 plan(&app.study_wanted())

@@ -1,0 +1,340 @@
+//! Design: what is asked with its partial factors, what the layout answers, and which plate, spacing or
+//! punch just meets it.
+
+use super::super::text::{below, cut, heading, put};
+use super::super::theme::Theme;
+use super::super::{answer, chart};
+use super::sweep::figures_text;
+use super::{nothing, plan};
+use crate::app::App;
+use crate::app::look::Glyphs;
+use crate::app::studies::design::{Kind, Line, View};
+use crate::study::case::{Input, NoValue, Outcome, Point, input_value};
+use crate::study::checks::figures::Figures;
+use crate::study::solve::{Kind as At, Requirement, Solution};
+use crate::units::{
+    LengthUnit, force_text, length_entry, length_text, percent, shortest, significant, to_kn,
+};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+/// Cells of the drawing of a range.
+const RANGE: usize = 20;
+
+/// Draws the page.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let name = &app.layout().name;
+    let Some(view) = app.design() else {
+        heading(buf, area, &format!("design of {name}"), "", theme);
+        return nothing("the mesh of this layout is not known", area, buf, theme);
+    };
+    heading(buf, area, &format!("design of {name}"), &asked(view), theme);
+    let mut rest = below(area, 1);
+    let columns = usize::from(rest.width.saturating_sub(2));
+    for (text, style) in question(app, view, theme) {
+        put(buf, rest, 0, 1, &cut(&text, columns), style);
+        rest = below(rest, 1);
+    }
+    if view.asked.is_empty() {
+        for (row, line) in [
+            "No design value is set, so there is nothing to solve.",
+            "F or a digit types the design force, D the allowable deflection;",
+            "L and R type the partial factors on load and resistance.",
+        ]
+        .iter()
+        .enumerate()
+        {
+            put(buf, rest, 1 + row as u16, 1, &cut(line, columns), theme.text);
+        }
+        return charted(app, below(rest, 5), buf, theme);
+    }
+    let word = view.requirement.map_or("", Requirement::word);
+    heading(buf, rest, &format!("what just meets the {word}"), "published ranges", theme);
+    rest = below(rest, 1);
+    let lines = 2 * view.lines.len() as u16;
+    let notes = notes(app, view, theme);
+    let wanted = lines + notes.len() as u16;
+    let chart = rest.height.saturating_sub(wanted);
+    let chart = if chart >= 7 { chart } else { 0 };
+    let list = Rect { height: (rest.height - chart).min(wanted), ..rest };
+    solved(
+        app,
+        view,
+        Rect { height: list.height.saturating_sub(notes.len() as u16), ..list },
+        buf,
+        theme,
+    );
+    let foot = Rect {
+        y: list.bottom() - (notes.len() as u16).min(list.height),
+        height: (notes.len() as u16).min(list.height),
+        ..list
+    };
+    for (row, (text, style)) in notes.iter().enumerate() {
+        put(buf, foot, row as u16, 1, &cut(text, columns), *style);
+    }
+    charted(app, below(rest, list.height), buf, theme);
+}
+
+/// The curve with the design lines, and the answer beside it.
+fn charted(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    if area.height < 7 {
+        return;
+    }
+    let beside = if area.width >= 70 { 29 } else { 0 };
+    let left = Rect { width: area.width - beside, ..area };
+    heading(buf, left, &chart::caption(app), "", theme);
+    chart::draw(app, below(left, 1), buf, theme);
+    if beside > 0 {
+        answer::draw(app, Rect { x: left.right(), width: beside, ..area }, buf, theme);
+    }
+}
+
+/// What the arrows go through.
+fn asked(view: &View) -> String {
+    let words = view.asked.iter().map(|r| {
+        if Some(*r) == view.requirement { format!("[{}]", r.word()) } else { r.word().to_string() }
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// Design values with their factors, and what the layout answers.
+fn question(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+    let unit = app.units();
+    let m = |v: f64| length_text(v, unit);
+    let q = &view.case.question;
+    let (on_load, on_resistance) = (shortest(q.gamma_load), shortest(q.gamma_resistance));
+    let force = match q.force {
+        Some(force) => format!(
+            "Fd {} x gL {on_load} = {}",
+            force_text(force),
+            force_text(force * q.gamma_load)
+        ),
+        None => format!("Fd -, gL {on_load}"),
+    };
+    let allowed = match q.deflection {
+        Some(v) => format!("dm {} {}", length_entry(v, unit), unit.symbol()),
+        None => "dm -".to_string(),
+    };
+    let mut lines = vec![(format!("asked    {force};  {allowed}"), theme.design)];
+    let point = match &view.outcome {
+        Ok(point) => point,
+        Err(why) => {
+            lines.push((format!("forecast {}", no_value(why)), theme.caution));
+            return lines;
+        }
+    };
+    let v = point.values();
+    let a = &point.answer;
+    let resistance = format!(
+        "forecast F_a {} / gR {on_resistance} = {}, delta_a {}",
+        force_text(v.force),
+        force_text(a.resistance),
+        m(v.deflection)
+    );
+    lines.push((resistance, theme.forecast));
+    let mut words = Vec::new();
+    let mut bad = false;
+    if let Some(at) = &a.at_force {
+        bad |= at.utilisation > 1.0;
+        let enough = if at.utilisation > 1.0 { "NOT ENOUGH: " } else { "" };
+        words.push(format!(
+            "{enough}use {} %, margin {}",
+            percent(at.utilisation),
+            force_text(at.margin)
+        ));
+        if let Some(reached) = at.deflection {
+            let over = at.within_allowable == Some(false);
+            bad |= over;
+            let over = if over { " (over dm)" } else { "" };
+            words.push(format!("{} at the load{over}", m(reached)));
+        }
+    }
+    if let Some(at) = &a.at_deflection {
+        let fails = if at.beyond_failure { " (fails before)" } else { "" };
+        words.push(format!("{} at dm{fails}", force_text(at.force)));
+    }
+    if !words.is_empty() {
+        let style = if bad { theme.error } else { theme.text };
+        lines.push((format!("answer   {}", words.join(", ")), style));
+    }
+    if let Some(own) = &view.own {
+        lines.push((format!("DEM      {}", figures_text(own, unit)), theme.check));
+    }
+    lines
+}
+
+fn no_value(why: &NoValue) -> String {
+    match why {
+        NoValue::PunchOnPlate => "no value: the punch is on a plate".into(),
+        NoValue::Senseless(problems) => problems.first().map_or(String::new(), |p| p.to_string()),
+    }
+}
+
+/// The list: two lines an entry.
+fn solved(app: &App, view: &View, list: Rect, buf: &mut Buffer, theme: &Theme) {
+    let unit = app.units();
+    let entries = usize::from(list.height / 2).max(1);
+    let first = super::super::layouts::first_shown(view.marked, entries, view.lines.len());
+    let columns = usize::from(list.width.saturating_sub(1));
+    for (place, (index, line)) in
+        view.lines.iter().enumerate().skip(first).take(entries).enumerate()
+    {
+        let row = 2 * place as u16;
+        let marked = index == view.marked;
+        let sign = if marked { ">" } else { " " };
+        let solution = view.solutions.iter().find(|s| s.input == line.input);
+        let drawn = solution.map_or(String::new(), |s| range(s, view, theme.glyphs));
+        let ends = solution.map_or(String::new(), |s| {
+            format!("{}..{}", length_entry(s.range.min, unit), length_entry(s.range.max, unit))
+        });
+        let text =
+            format!("{sign}{} {:<22} {drawn} {ends}", line.input.symbol(), offer(line, unit));
+        let style = if marked { theme.selected } else { theme.title };
+        put(buf, list, row, 0, &cut(&text, columns), style);
+        let (gives, style) = gives(line, solution, view, unit, theme);
+        put(buf, list, row + 1, 4, &cut(&gives, columns.saturating_sub(4)), style);
+    }
+}
+
+/// The value that a line offers.
+fn offer(line: &Line, unit: LengthUnit) -> String {
+    match &line.kind {
+        Kind::Take { crossing, value, .. } => {
+            let side = if crossing.met_above { "or more" } else { "or less" };
+            format!("{} {} {side}", input_value(line.input, *value, unit), unit.symbol())
+        }
+        Kind::Always => "any of the range".into(),
+        Kind::Never(_) => "NONE of the range".into(),
+    }
+}
+
+/// What a line gives.
+fn gives(
+    line: &Line,
+    solution: Option<&Solution>,
+    view: &View,
+    unit: LengthUnit,
+    theme: &Theme,
+) -> (String, Style) {
+    let now = format!("now {}", input_value(line.input, line.input.value(&view.case), unit));
+    match &line.kind {
+        Kind::Take { crossing, outcome, .. } => {
+            let how = match crossing.kind {
+                At::Exact => "",
+                At::Jump => "; F jumps there (A.1-A.2)",
+                At::Edge => "; the method ends there",
+            };
+            let mut text = format!("{now}; gives {}{how}", outcome_text(outcome, unit));
+            if let Some(f) = &line.figures {
+                text = format!("{now}; gives {}; DEM {}", short(outcome, unit), dem(f, unit));
+            }
+            let doubtful = outcome.as_ref().is_ok_and(Point::doubtful);
+            if doubtful {
+                text.push_str(" !");
+            }
+            (text, theme.text)
+        }
+        Kind::Always => {
+            let ends = solution.map_or(String::new(), |s| {
+                let ends = s.ends.iter().map(|e| at(line.input, e.value, &e.outcome, unit));
+                ends.collect::<Vec<_>>().join("; ")
+            });
+            (format!("{now}; {ends}"), theme.text)
+        }
+        Kind::Never(best) => {
+            let nearest = best.as_ref().map_or("no value anywhere".to_string(), |b| {
+                format!("nearest: {}", at(line.input, b.value, &b.outcome, unit))
+            });
+            (format!("{now}; {nearest}"), theme.caution)
+        }
+    }
+}
+
+fn dem(f: &Figures, unit: LengthUnit) -> String {
+    let Some(mean) = f.mean else { return "no break".into() };
+    let used = f.utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)));
+    let force = significant(to_kn(mean.force), 3);
+    format!("F {force} kN, {}{used}", length_text(mean.deflection, unit))
+}
+
+fn at(input: Input, value: f64, outcome: &Outcome, unit: LengthUnit) -> String {
+    format!("at {} {}", input_value(input, value, unit), short(outcome, unit))
+}
+
+/// Force and use, or why there are none.
+fn short(outcome: &Outcome, unit: LengthUnit) -> String {
+    match outcome {
+        Ok(p) => match p.utilisation() {
+            Some(u) => format!("{}, use {} %", force_text(p.values().force), percent(u)),
+            None => format!(
+                "{}, delta_a {}",
+                force_text(p.values().force),
+                length_text(p.values().deflection, unit)
+            ),
+        },
+        Err(why) => why.short().into(),
+    }
+}
+
+fn outcome_text(outcome: &Outcome, unit: LengthUnit) -> String {
+    let Ok(p) = outcome else { return short(outcome, unit) };
+    let v = p.values();
+    let mut text =
+        format!("F_a {}, delta_a {}", force_text(v.force), length_text(v.deflection, unit));
+    if let Some(at) = &p.answer.at_force {
+        text.push_str(&format!(", use {} %", percent(at.utilisation)));
+        if let Some(reached) = at.deflection {
+            text.push_str(&format!(", {} at load", length_text(reached, unit)));
+        }
+    }
+    text
+}
+
+/// The published range: where it is met, and where the layout is.
+fn range(s: &Solution, view: &View, glyphs: Glyphs) -> String {
+    let (met, not) = match glyphs {
+        Glyphs::Ascii => ('=', '.'),
+        _ => ('━', '·'),
+    };
+    let width = s.range.max - s.range.min;
+    let now = s.input.value(&view.case);
+    let own = ((now - s.range.min) / width * RANGE as f64).floor();
+    let cells = (0..RANGE).map(|i| {
+        let middle = s.range.min + width * (i as f64 + 0.5) / RANGE as f64;
+        let inside = s.spans.iter().any(|span| (span.from..=span.to).contains(&middle));
+        let here = own == i as f64 || (now == s.range.max && i + 1 == RANGE);
+        match (here, inside) {
+            (true, _) => 'X',
+            (false, true) => met,
+            (false, false) => not,
+        }
+    });
+    format!("[{}]", cells.collect::<String>())
+}
+
+fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+    let (met, not) = match theme.glyphs {
+        Glyphs::Ascii => ("=", "."),
+        _ => ("━", "·"),
+    };
+    let mut lines = vec![(
+        format!(
+            "[{met} met, {not} not met, X as it is]; Enter takes the value, all else as it stands"
+        ),
+        theme.text,
+    )];
+    let coverage = view.coverage;
+    if coverage.stale && !coverage.any() {
+        lines.push(("DEM stale: of other inputs; c checks these".into(), theme.caution));
+    } else if coverage.any() || app.campaign().is_some() {
+        let count = format!(
+            "DEM: {} of {} checks, {}",
+            coverage.have,
+            coverage.of,
+            plan(&app.study_wanted())
+        );
+        lines.push((count, theme.check));
+    }
+    lines
+}

@@ -1,0 +1,314 @@
+//! A sweep: its ranges at the head, the forecast as a line with the checks' points and bands, and the
+//! marked point in words. Maps are drawn by [`super::map`].
+
+use super::super::canvas::{Canvas, Pattern, Pen};
+use super::super::text::{below, cut, heading, put, put_right};
+use super::super::theme::Theme;
+use super::plot::Plot;
+use super::{map, nothing, plan, symbol, unit_of, value};
+use crate::app::App;
+use crate::app::studies::sweep::{Slot, View};
+use crate::study::case::{Input, Point, input_unit, input_value};
+use crate::study::checks::figures::Figures;
+use crate::study::sensitivity::Effect;
+use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+/// Columns from which a table of all points stands beside the chart.
+const WITH_TABLE: u16 = 100;
+/// Columns of that table.
+const TABLE: u16 = 44;
+
+/// Draws the page.
+pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let name = &app.layout().name;
+    let Some(view) = app.sweep() else {
+        heading(buf, area, &format!("sweep of {name}"), "", theme);
+        return nothing("the mesh of this layout is not known", area, buf, theme);
+    };
+    let unit = app.units();
+    let title = format!("sweep of {name}: {}, {}", symbol(view.shown), unit_of(view.shown, unit));
+    heading(buf, area, &title, value(view.shown), theme);
+    let mut rest = below(area, 1);
+    for axis in 0..view.axes.len() {
+        head(app, view, axis, rest, buf, theme);
+        rest = below(rest, 1);
+    }
+    if let Some(problem) = view.problems.first() {
+        return nothing(&problem.to_string(), rest, buf, theme);
+    }
+    let notes = notes(app, view, theme);
+    let foot = (notes.len() as u16).min(rest.height.saturating_sub(5));
+    let body = Rect { height: rest.height - foot, ..rest };
+    if view.axes.len() > 1 {
+        map::draw(app, view, body, buf, theme);
+    } else if area.width >= WITH_TABLE {
+        let chart = Rect { width: body.width - TABLE - 1, ..body };
+        line(app, view, chart, buf, theme);
+        table(app, view, Rect { x: chart.right() + 1, width: TABLE, ..body }, buf, theme);
+    } else {
+        line(app, view, body, buf, theme);
+    }
+    let foot = Rect { y: body.bottom(), height: foot, ..rest };
+    let columns = usize::from(foot.width.saturating_sub(2));
+    for (row, (text, style)) in notes.iter().enumerate() {
+        put(buf, foot, row as u16, 1, &cut(text, columns), *style);
+    }
+}
+
+/// What is shown of a forecast, in its unit.
+pub(super) fn read(point: &Point, effect: Effect, unit: LengthUnit) -> Option<f64> {
+    match effect {
+        Effect::Force => Some(to_kn(point.values().force)),
+        Effect::Deflection => Some(point.values().deflection * unit.per_metre()),
+        Effect::Utilisation => point.utilisation().map(|u| 100.0 * u),
+    }
+}
+
+/// The same of a check.
+pub(super) fn found(figures: &Figures, effect: Effect, unit: LengthUnit) -> Option<f64> {
+    match effect {
+        Effect::Force => figures.mean.map(|v| to_kn(v.force)),
+        Effect::Deflection => figures.mean.map(|v| v.deflection * unit.per_metre()),
+        Effect::Utilisation => figures.utilisation.map(|u| 100.0 * u),
+    }
+}
+
+/// The band of a check, where what is shown has one.
+fn band(figures: &Figures, effect: Effect, unit: LengthUnit) -> Option<[f64; 2]> {
+    match effect {
+        Effect::Force => figures.force_band.map(|b| b.map(to_kn)),
+        Effect::Deflection => figures.deflection_band.map(|b| b.map(|v| v * unit.per_metre())),
+        Effect::Utilisation => None,
+    }
+}
+
+/// One range: `>vary L from 1.25 to 4.50 m in 9 values`, the chosen part marked.
+fn head(app: &App, view: &View, axis: usize, row: Rect, buf: &mut Buffer, theme: &Theme) {
+    let Some(range) = view.axes.get(axis) else { return };
+    let unit = app.units();
+    let (chosen, slot) = app.sweep_slot();
+    let here = chosen == axis;
+    let sign = if here { ">" } else { " " };
+    let word = if axis == 0 { "vary" } else { "and" };
+    let narrow = row.width < 60;
+    let mut column = put(buf, row, 0, 0, &format!("{sign}{word:<5}"), theme.text);
+    let value = |v: f64| input_value(range.input, v, unit);
+    let parts = [
+        (Slot::Input, "", range.input.symbol().to_string()),
+        (Slot::From, if narrow { " " } else { "  from " }, value(range.from)),
+        (Slot::To, " to ", value(range.to)),
+        (Slot::Steps, if narrow { " in " } else { "  in " }, range.steps.to_string()),
+    ];
+    for (part, before, text) in parts {
+        column = put(buf, row, 0, column, before, theme.text);
+        let style = if here && part == slot { theme.selected } else { theme.title };
+        column = put(buf, row, 0, column, &format!("[{text}]"), style);
+        if part == Slot::To {
+            column = put(buf, row, 0, column + 1, input_unit(range.input, unit), theme.text);
+        }
+    }
+    let outside = range
+        .input
+        .published_range()
+        .is_some_and(|published| !published.holds(range.from) || !published.holds(range.to));
+    if outside {
+        put(buf, row, 0, column + 1, "! beyond the published range", theme.caution);
+    } else if !narrow {
+        put(buf, row, 0, column + 1, "values", theme.text);
+    }
+}
+
+/// The forecast as a line, the checks as points with their bands.
+fn line(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let (unit, effect) = (app.units(), view.shown);
+    let Some(range) = view.axes.first() else { return };
+    let across = |v: f64| if range.input.is_force() { to_kn(v) } else { v * unit.per_metre() };
+    let forecast: Vec<(f64, f64)> = view
+        .line
+        .iter()
+        .map(|(at, outcome)| {
+            let y = outcome.as_ref().ok().and_then(|p| read(p, effect, unit));
+            (across(*at), y.unwrap_or(f64::NAN))
+        })
+        .collect();
+    let columns: &[f64] = view.grid.as_ref().map_or(&[], |grid| &grid.columns);
+    let checked: Vec<(f64, &Figures)> = columns
+        .iter()
+        .zip(&view.figures)
+        .filter_map(|(at, figures)| Some((across(*at), figures.as_ref()?)))
+        .collect();
+    let mut seen: Vec<f64> = forecast.iter().map(|p| p.1).filter(|y| y.is_finite()).collect();
+    for (_, figures) in &checked {
+        seen.extend(found(figures, effect, unit));
+        seen.extend(band(figures, effect, unit).into_iter().flatten());
+    }
+    let Some((least, most)) = seen.iter().fold(None, |ends: Option<(f64, f64)>, y| {
+        Some(ends.map_or((*y, *y), |(a, b)| (a.min(*y), b.max(*y))))
+    }) else {
+        return nothing(
+            "no value anywhere in the range: the punch is on a plate, or sizes make no sense",
+            area,
+            buf,
+            theme,
+        );
+    };
+    // The limit of the utilisation stands on the chart where it is near.
+    let limit = (effect == Effect::Utilisation).then_some(100.0).filter(|v| {
+        let room = 0.5 * (most - least).max(1.0);
+        (least - room..=most + room).contains(v)
+    });
+    let (least, most) = limit.map_or((least, most), |v: f64| (least.min(v), most.max(v)));
+    let ends = (across(range.from), across(range.to));
+    let Some(plot) = Plot::new(area, ends, (least, most), buf, theme) else { return };
+    let mut canvas = Canvas::new(plot.area, theme.glyphs);
+    if let Some(limit) = limit {
+        let pen = Pen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some('-') };
+        plot.curve([(ends.0, limit), (ends.1, limit)], pen, &mut canvas);
+    }
+    let pen = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
+    plot.curve(forecast.iter().copied(), pen, &mut canvas);
+    canvas.show(buf);
+    // The bands lie over the line: a character of the screen has one style.
+    let mut bands = Canvas::new(plot.area, theme.glyphs);
+    let pen = Pen { style: theme.check, pattern: Pattern::Solid, ascii: Some(':') };
+    for (x, figures) in &checked {
+        if let Some([low, high]) = band(figures, effect, unit) {
+            plot.curve([(*x, low), (*x, high)], pen, &mut bands);
+        }
+    }
+    bands.show(buf);
+    for (x, figures) in &checked {
+        if let Some((column, row)) = found(figures, effect, unit).and_then(|y| plot.cell(*x, y)) {
+            put(buf, plot.area, row, column, "o", theme.check);
+        }
+    }
+    let marked = columns.get(view.marked).zip(view.points.get(view.marked));
+    if let Some((at, Ok(point))) = marked
+        && let Some(y) = read(point, effect, unit)
+        && let Some((column, row)) = plot.cell(across(*at), y)
+    {
+        put(buf, plot.area, row, column, "X", theme.forecast);
+    }
+    // Where the layout itself is.
+    let own = range.input.value(&view.case);
+    if let Some((column, _)) = plot.cell(across(own), least) {
+        put(buf, plot.area, plot.area.height, column, "^", theme.title);
+    }
+}
+
+/// A point of the sweep in words.
+fn place(view: &View, unit: LengthUnit) -> String {
+    let Some(grid) = &view.grid else { return String::new() };
+    let (first, second) = grid.at(view.marked);
+    let text = |input: Input, v: f64| {
+        format!("{} {} {}", input.symbol(), input_value(input, v, unit), input_unit(input, unit))
+    };
+    let mut words = text(grid.first.input, first);
+    if let (Some(axis), Some(v)) = (&grid.second, second) {
+        words.push_str(&format!(", {}", text(axis.input, v)));
+    }
+    words
+}
+
+fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+    let unit = app.units();
+    let m = |v: f64| length_text(v, unit);
+    let mut lines = Vec::new();
+    let forecast = match view.points.get(view.marked) {
+        Some(Ok(point)) => {
+            let v = point.values();
+            let used =
+                point.utilisation().map_or(String::new(), |u| format!(", use {} %", percent(u)));
+            let mark = if point.doubtful() { " !" } else { "" };
+            format!("F_a {}, delta_a {}{used}{mark}", force_text(v.force), m(v.deflection))
+        }
+        Some(Err(why)) => format!("no value: {}", why.short()),
+        None => String::new(),
+    };
+    lines.push((format!("X at {}: {forecast}", place(view, unit)), theme.forecast));
+    let check = match (view.figures.get(view.marked), view.answers.get(view.marked)) {
+        (Some(Some(f)), _) => figures_text(f, unit),
+        (_, Some(Err(why))) if why.code() == "impossible" => format!("none: {}", why.reason()),
+        _ => String::new(),
+    };
+    let coverage = view.coverage;
+    let count =
+        format!("{} of {} checks, {}", coverage.have, coverage.of, plan(&app.study_wanted()));
+    let (text, style) = match (&view.no_dem, coverage.stale, coverage.any()) {
+        (Some(why), ..) => (format!("no DEM: {}", why.reason()), theme.text),
+        (None, true, false) => {
+            ("DEM stale: of other inputs; c checks these, u undoes the edit".into(), theme.caution)
+        }
+        (None, _, true) if !check.is_empty() => (format!("o DEM {check}"), theme.check),
+        (None, false, false) if app.campaign().is_none() => {
+            ("DEM: not made; c checks every point".into(), theme.text)
+        }
+        _ => (format!("o DEM: {count}"), theme.check),
+    };
+    lines.push((text, style));
+    if coverage.any() && !check.is_empty() {
+        let stale = if coverage.stale { "stale in part; " } else { "" };
+        lines.push((format!("  {stale}{count}; band 5 to 95 %"), theme.text));
+    }
+    lines
+}
+
+/// What a check says, with its difference from the forecast.
+pub(super) fn figures_text(f: &Figures, unit: LengthUnit) -> String {
+    let Some(mean) = f.mean else { return "no run broke a wire".into() };
+    let error = f.error.map_or(String::new(), |e| format!(" +-{}", significant(to_kn(e.force), 2)));
+    let band = f.force_band.map_or(String::new(), |[low, high]| {
+        format!(" ({} to {})", significant(to_kn(low), 3), significant(to_kn(high), 3))
+    });
+    let used = f.utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)));
+    let over = f.difference.map_or(String::new(), |d| {
+        format!("; over forecast {:+.0} %, {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
+    });
+    let force = significant(to_kn(mean.force), 3);
+    format!("F {force}{error} kN{band}, delta {}{used}{over}", length_text(mean.deflection, unit))
+}
+
+/// All points as a table.
+fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let unit = app.units();
+    let Some(grid) = &view.grid else { return };
+    let input = grid.first.input;
+    let length = |v: f64| match unit {
+        LengthUnit::Metre => format!("{v:.3}"),
+        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
+    };
+    let ends = [9, 16, 23, 29, 37, 44];
+    let write = |buf: &mut Buffer, row: u16, texts: [String; 6], style: Style| {
+        for (end, text) in ends.into_iter().zip(texts) {
+            put_right(buf, Rect { width: end, ..area }, row, &text, style);
+        }
+    };
+    let words = [input.symbol(), "F_a", "delta", "use", "DEM F", "/F_a"].map(String::from);
+    write(buf, 0, words, theme.heading);
+    let m = unit.symbol();
+    let units = [input_unit(input, unit), "kN", m, "%", "kN", "%"].map(String::from);
+    write(buf, 1, units, theme.heading);
+    let rows = usize::from(area.height.saturating_sub(2));
+    let first = super::super::layouts::first_shown(view.marked, rows, view.points.len());
+    for (line, index) in (first..view.points.len()).take(rows).enumerate() {
+        let none = || "-".to_string();
+        let (force, delta, used) = match &view.points[index] {
+            Ok(p) => (
+                significant(to_kn(p.values().force), 3),
+                length(p.values().deflection),
+                p.utilisation().map_or_else(none, percent),
+            ),
+            Err(why) => (String::new(), why.short().to_string(), String::new()),
+        };
+        let f = view.figures.get(index).and_then(|f| f.as_ref());
+        let dem = f.and_then(|f| f.mean).map_or_else(none, |v| significant(to_kn(v.force), 3));
+        let over =
+            f.and_then(|f| f.difference).map_or_else(none, |d| format!("{:+.1}", 100.0 * d.force));
+        let at = input_value(input, grid.at(index).0, unit);
+        let style = if index == view.marked { theme.selected } else { theme.text };
+        write(buf, 2 + line as u16, [at, force, delta, used, dem, over], style);
+    }
+}
