@@ -65,7 +65,8 @@ pub fn help(width: usize) -> Vec<PageLine> {
         page.heading(context.heading());
         // What holds on every screen is said once, with the main screen.
         let everywhere = [Action::Redraw, Action::Suspend];
-        let said = |a| context != Context::Main && everywhere.contains(&a);
+        let said =
+            |a| context != Context::Main && everywhere.contains(&a) || keymap::shared(context, a);
         for b in keymap::of(context).filter(|b| !said(b.action)) {
             let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
             page.text(&format!("  {:<key_column$} {}", keys.join(" "), b.help), key_column + 3);

@@ -227,10 +227,13 @@ impl App {
             Page::Compare => self.start_check(true),
             Page::Sensitivity => {
                 let cases = self.studies.sensitivity.cases();
-                self.start_campaign(page, cases)
+                self.start_campaign(self.purpose(page, 0), cases)
             }
             Page::Sweep => match self.studies.sweep.cases() {
-                Ok(cases) => self.start_campaign(page, cases),
+                Ok(cases) => {
+                    let question = self.studies.sweep.question();
+                    self.start_campaign(self.purpose(page, question), cases)
+                }
                 Err(why) => {
                     self.complain(why);
                     Vec::new()
@@ -238,7 +241,7 @@ impl App {
             },
             Page::Design => {
                 let cases = self.studies.design.cases();
-                self.start_campaign(page, cases)
+                self.start_campaign(self.purpose(page, 0), cases)
             }
         }
     }

@@ -49,8 +49,12 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         return charted(app, below(rest, 5), buf, theme);
     }
-    let word = view.requirement.map_or("", Requirement::word);
-    heading(buf, rest, &format!("what just meets the {word}"), "published ranges", theme);
+    let word = match view.requirement {
+        Some(Requirement::Force) => "the force",
+        Some(Requirement::Deflection) => "the deflection",
+        _ => "both",
+    };
+    heading(buf, rest, &format!("what just meets {word}"), "published ranges", theme);
     rest = below(rest, 1);
     let lines = 2 * view.lines.len() as u16;
     let notes = notes(app, view, theme);
@@ -82,11 +86,11 @@ fn charted(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return;
     }
     let beside = if area.width >= 70 { 29 } else { 0 };
-    let left = Rect { width: area.width - beside, ..area };
+    let left = Rect { width: area.width - beside - beside.min(1), ..area };
     heading(buf, left, &chart::caption(app), "", theme);
     chart::draw(app, below(left, 1), buf, theme);
     if beside > 0 {
-        answer::draw(app, Rect { x: left.right(), width: beside, ..area }, buf, theme);
+        answer::draw(app, Rect { x: area.right() - beside, width: beside, ..area }, buf, theme);
     }
 }
 
@@ -147,7 +151,7 @@ fn question(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
             let over = at.within_allowable == Some(false);
             bad |= over;
             let over = if over { " (over dm)" } else { "" };
-            words.push(format!("{} at the load{over}", m(reached)));
+            words.push(format!("{} at load{over}", m(reached)));
         }
     }
     if let Some(at) = &a.at_deflection {
