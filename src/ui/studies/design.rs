@@ -22,6 +22,9 @@ use ratatui::style::Style;
 /// Cells of the drawing of a range.
 const RANGE: usize = 20;
 
+/// Least rows of the chart with its heading.
+const CHART: u16 = 6;
+
 /// Draws the page.
 pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let name = &app.layout().name;
@@ -60,7 +63,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let notes = notes(app, view, theme);
     let wanted = lines + notes.len() as u16;
     let chart = rest.height.saturating_sub(wanted);
-    let chart = if chart >= 7 { chart } else { 0 };
+    let chart = if chart >= CHART { chart } else { 0 };
     let list = Rect { height: (rest.height - chart).min(wanted), ..rest };
     solved(
         app,
@@ -82,7 +85,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 
 /// The curve with the design lines, and the answer beside it.
 fn charted(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    if area.height < 7 {
+    if area.height < CHART {
         return;
     }
     let beside = if area.width >= 70 { 29 } else { 0 };

@@ -52,10 +52,9 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     {
         // Where there is room the other values stand below the chosen one.
         if place > 0 {
-            if left.height < EACH + 2 {
+            if left.height < EACH + 1 {
                 break;
             }
-            left = below(left, 1);
             let unit = unit_of(effect, app.units());
             let title = format!("change of {}, {unit}", symbol(effect));
             heading(buf, left, &title, "", theme);

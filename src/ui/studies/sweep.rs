@@ -40,7 +40,9 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return nothing(&problem.to_string(), rest, buf, theme);
     }
     let notes = notes(app, view, theme);
-    let foot = (notes.len() as u16).min(rest.height.saturating_sub(5));
+    // On a low screen the marked point is enough.
+    let most = if rest.height < 12 { 1 } else { 3 };
+    let foot = (notes.len() as u16).min(most).min(rest.height.saturating_sub(5));
     let body = Rect { height: rest.height - foot, ..rest };
     if view.axes.len() > 1 {
         map::draw(app, view, body, buf, theme);
@@ -251,7 +253,8 @@ fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     };
     lines.push((text, style));
     if coverage.any() && !check.is_empty() {
-        lines.push((format!("  {count}; band 5 to 95 %; ^ the layout as it is"), theme.text));
+        let own = if view.axes.len() == 1 { "; ^ as it is" } else { "" };
+        lines.push((format!("  {count}; band 5 to 95 %{own}"), theme.text));
     }
     lines
 }
