@@ -244,19 +244,32 @@ impl App {
     pub(super) fn toggle_live(&mut self) -> Vec<Effect> {
         let on = !self.live();
         // Both words are known.
-        let mut effects =
+        let effects =
             self.set_setting(Item::Live, if on { "on" } else { "off" }).unwrap_or_default();
         if on {
             self.inform("live: a quick check follows each edit; l switches it off");
             return effects;
         }
         self.inform("live mode off");
+        effects
+    }
+
+    /// Live mode was switched off: what it made goes, and what it runs ends.
+    pub(super) fn end_live(&mut self) -> Option<Effect> {
         self.work.live_key = None;
         self.work.live_result = None;
-        if self.work.live_order.take().is_some() && self.work.running.is_none() {
-            effects.push(Effect::StopWork);
-        }
-        effects
+        let stop = self.work.live_order.take().is_some() && self.work.running.is_none();
+        stop.then_some(Effect::StopWork)
+    }
+
+    /// Another project takes the place of this one: what runs ends, and no result is left. Numbers of
+    /// orders go on, so that late news of the former project find nobody.
+    pub(super) fn forget_work(&mut self) -> Option<Effect> {
+        let campaign = self.campaign().is_some();
+        let busy = campaign || self.work.running.is_some() || self.work.live_order.is_some();
+        self.drop_campaign();
+        self.work = Work { orders: self.work.orders, ..Work::default() };
+        busy.then_some(Effect::StopWork)
     }
 
     /// A live check, if the inputs are others than those of the last one.

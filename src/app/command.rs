@@ -1,12 +1,12 @@
 //! The `:` line. Its forms stand in [`super::keymap::COMMANDS`], from which the help is made.
 
+use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Effect;
 use super::settings::Item;
-use super::{App, Mode};
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 impl App {
     /// Carries out a command.
@@ -21,7 +21,7 @@ impl App {
         };
         // A command that takes nothing must be given nothing: a slip is no reason to act.
         let plain = |allowed: &[&str]| allowed.contains(&word) && !rest.is_empty();
-        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h"]) {
+        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h", "tour"]) {
             return Err(format!("{word} takes nothing after it"));
         }
         match word {
@@ -31,6 +31,8 @@ impl App {
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
             "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "export" => return self.export_command(rest, false),
+            "export!" => return self.export_command(rest, true),
             "check" => match rest {
                 "" => return Ok(self.start_check(false)),
                 "all" => return Ok(self.start_check(true)),
@@ -45,7 +47,7 @@ impl App {
             },
             "undo" => self.undo(),
             "redo" => self.redo(),
-            "help" | "h" => self.mode = Mode::Help { scroll: 0 },
+            "help" | "h" => self.toggle_help(),
             "name" | "site" => self.name_project(word, rest)?,
             "mesh" => self.set_mesh(rest)?,
             "units" => match rest {
@@ -64,6 +66,9 @@ impl App {
                 "none" => self.look.color = ColorMode::None,
                 _ => return Err("color 16 or color none".into()),
             },
+            "tour" => self.start_tour(),
+            "open" | "e" if rest.is_empty() => return Ok(self.show_picker(None)),
+            "open" | "e" => return Ok(self.ask_to_open(Path::new(rest))),
             "set" => return self.set_command(rest),
             _ => match word.parse::<usize>() {
                 Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {

@@ -16,6 +16,8 @@ pub enum Target {
     Note,
     /// A command.
     Command,
+    /// A project to open.
+    File,
     /// Something on a page of a study.
     Study(Typed),
 }
@@ -28,6 +30,7 @@ impl Target {
             Target::Name => "name",
             Target::Note => "note",
             Target::Command => ":",
+            Target::File => "open",
             Target::Study(typed) => typed.prompt(),
         }
     }

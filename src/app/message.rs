@@ -2,9 +2,12 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
+use super::open::{Found, OpenFailure, OpenedProject};
 use super::settings::Settings;
+use crate::export::Kind;
 use crate::job::{News, Order};
 use crate::project::Project;
+use crate::units::LengthUnit;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -28,12 +31,18 @@ pub enum Message {
     Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.
     HangUp,
+    /// A file was written from the project, or why not.
+    Exported(Result<Exported, String>),
     /// News of work behind the screen.
     Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
     Resumed,
     /// Settings were kept, with what the user should know of it, or could not be, and why.
     SettingsKept(Result<Option<String>, String>),
+    /// The project files that were found.
+    Projects(Vec<Found>),
+    /// Another project was opened, or could not be.
+    Opened(Result<OpenedProject, OpenFailure>),
 }
 
 /// A save that worked.
@@ -56,6 +65,15 @@ pub struct SaveFailure {
     pub overwrite_helps: bool,
     /// The other file that was asked for, or `None` for the project's own.
     pub path: Option<PathBuf>,
+}
+
+/// A file that was written from the project.
+#[derive(Debug, Clone)]
+pub struct Exported {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What the user should know of it.
+    pub note: Option<String>,
 }
 
 /// Something to be done outside the state.
@@ -81,6 +99,23 @@ pub enum Effect {
     Work(Order),
     /// End what runs behind the screen.
     StopWork,
+    /// Write a report, a chart or a table, and answer with [`Message::Exported`].
+    Export {
+        /// What.
+        kind: Kind,
+        /// Of this project.
+        project: Arc<Project>,
+        /// Whether it has edits that are not in its file.
+        edited: bool,
+        /// The layout selected, an index.
+        layout: usize,
+        /// Unit of lengths.
+        unit: LengthUnit,
+        /// Where to; beside the project under a free name where nothing is said.
+        path: Option<PathBuf>,
+        /// Whether to replace a file that is there.
+        overwrite: bool,
+    },
     /// Give the terminal back and stop until continued.
     Suspend,
     /// Draw the whole screen anew.
@@ -91,5 +126,18 @@ pub enum Effect {
     KeepSettings {
         /// What to keep.
         settings: Settings,
+    },
+    /// Put a text into the clipboard of the terminal, if it takes that.
+    Copy {
+        /// The text.
+        text: String,
+    },
+    /// Look for project files, and answer with [`Message::Projects`].
+    ListProjects,
+    /// Open a project in place of this one, and answer with [`Message::Opened`]. Unsaved edits of
+    /// this one are let go when that succeeds.
+    OpenProject {
+        /// Its file. A relative path is taken from the working directory.
+        path: PathBuf,
     },
 }

@@ -6,23 +6,30 @@
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
 //! - [`studies`]: the pages of studies and the checks behind them.
-//! - [`settings`]: what the user decided for all projects.
+//! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
+//!   by typed letters ([`fuzzy`]); [`copy`]: what goes to the clipboard; [`tour`]: the first run.
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
 pub mod checks;
 pub mod command;
+pub mod copy;
 pub mod derived;
 pub mod edit;
 pub mod entry;
 pub mod field;
+pub mod fuzzy;
+pub mod help;
 pub mod history;
 pub mod key;
 pub mod keymap;
 pub mod look;
 pub mod message;
+pub mod open;
+pub mod output;
 pub mod pages;
 pub mod settings;
 pub mod studies;
+pub mod tour;
 pub mod update;
 
 use crate::project::schema::{NamedLayout, Project};
@@ -61,6 +68,11 @@ pub enum Mode {
         /// The marked one, an index of [`App::meshes`].
         index: usize,
     },
+    /// The list of what can be written, with one marked.
+    Export {
+        /// The marked one, an index of [`crate::export::Kind::ALL`].
+        index: usize,
+    },
     /// Quit with unsaved edits?
     ConfirmQuit,
     /// Replace a file that changed on disk, or that exists?
@@ -75,6 +87,18 @@ pub enum Mode {
         /// The marked one, an index of [`settings::Item::ALL`].
         index: usize,
     },
+    /// Which project to open.
+    Open(open::Picker),
+    /// Open another project with unsaved edits in this one?
+    ConfirmOpen {
+        /// The other project's file.
+        path: PathBuf,
+    },
+    /// A screen of the tour.
+    Tour {
+        /// Which one, an index of [`tour::stops`].
+        stop: usize,
+    },
     /// A page of a study.
     Study(studies::Page),
     /// Take back edits kept from a session that was cut off?
@@ -82,6 +106,27 @@ pub enum Mode {
         /// The kept project.
         kept: Arc<Project>,
     },
+}
+
+impl Mode {
+    /// The screen whose keys hold now; none while text is typed.
+    fn context(&self) -> Option<Context> {
+        Some(match self {
+            Mode::Main => Context::Main,
+            Mode::Entry(_) => return None,
+            Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
+            Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::Study(page) => page.context(),
+            Mode::Export { .. } => Context::Export,
+            Mode::ConfirmQuit => Context::ConfirmQuit,
+            Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
+            Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
+            Mode::Settings { .. } => Context::Settings,
+            Mode::Open(_) => Context::Open,
+            Mode::ConfirmOpen { .. } => Context::ConfirmOpen,
+            Mode::Tour { .. } => Context::Tour,
+        })
+    }
 }
 
 /// How loud a message is.
@@ -120,6 +165,9 @@ pub struct App {
     size: (u16, u16),
     dirty: bool,
     quit_after_save: bool,
+    open_after_save: Option<PathBuf>,
+    /// What the help lies over; it comes back when the help is closed.
+    under_help: Box<Mode>,
     work: Work,
     studies: Studies,
     preferences: Preferences,
@@ -167,6 +215,8 @@ impl App {
             size: start.size,
             dirty: true,
             quit_after_save: false,
+            open_after_save: None,
+            under_help: Box::new(Mode::Main),
             work: Work::default(),
             studies: Studies::default(),
             settings: start.preferences.effective(),
@@ -174,6 +224,8 @@ impl App {
         };
         if let Some(kept) = start.kept {
             app.mode = Mode::ConfirmRecovery { kept };
+        } else if app.preferences.tour {
+            app.start_tour();
         }
         app.derive();
         app
@@ -251,17 +303,7 @@ impl App {
 
     /// The screen whose keys hold now; none while text is typed.
     pub fn context(&self) -> Option<Context> {
-        Some(match self.mode {
-            Mode::Main => Context::Main,
-            Mode::Entry(_) => return None,
-            Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
-            Mode::MeshPicker { .. } => Context::MeshPicker,
-            Mode::ConfirmQuit => Context::ConfirmQuit,
-            Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
-            Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
-            Mode::Settings { .. } => Context::Settings,
-            Mode::Study(page) => page.context(),
-        })
+        self.mode.context()
     }
 
     /// Whether something was asked to be drawn since this was asked last.

@@ -7,7 +7,7 @@ use super::keymap::{self, Action};
 use super::message::{Effect, Message, SaveFailure, Saved};
 use super::{App, Mode, settings};
 use crate::units::Quantity;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 impl App {
     /// Takes a message; returns what is to be done.
@@ -23,8 +23,10 @@ impl App {
         match message {
             Message::Key(key) => self.key(key),
             Message::Paste(text) => {
-                if let Mode::Entry(entry) = &mut self.mode {
-                    entry.paste(&text);
+                match &mut self.mode {
+                    Mode::Entry(entry) => entry.paste(&text),
+                    Mode::Open(picker) => picker.paste(&text),
+                    _ => {}
                 }
                 Vec::new()
             }
@@ -41,11 +43,20 @@ impl App {
                 effects.push(Effect::Quit);
                 effects
             }
+            Message::Exported(result) => {
+                self.exported(result);
+                Vec::new()
+            }
             Message::Work(news) => {
                 self.news(news);
                 Vec::new()
             }
             Message::Resumed => vec![Effect::Redraw],
+            Message::Projects(found) => {
+                self.found_projects(found);
+                Vec::new()
+            }
+            Message::Opened(result) => self.opened(result),
             Message::SettingsKept(result) => {
                 match result {
                     Ok(Some(note)) => self.inform(note),
@@ -64,6 +75,11 @@ impl App {
     fn key(&mut self, key: Key) -> Vec<Effect> {
         self.status = None;
         if let Mode::Entry(entry) = &mut self.mode {
+            // A question mark is text here.
+            if key == Key::plain(Code::F(1)) {
+                self.toggle_help();
+                return Vec::new();
+            }
             return match entry.key(key) {
                 Outcome::Typing => Vec::new(),
                 Outcome::Drop => {
@@ -77,9 +93,13 @@ impl App {
         match keymap::action(context, key) {
             Some(action) => self.act(action),
             None => {
-                match self.mode {
+                match &mut self.mode {
                     Mode::Main => self.start_typing(key),
-                    Mode::Study(page) => self.study_key(page, key),
+                    Mode::Open(picker) => picker.key(key),
+                    Mode::Study(page) => {
+                        let page = *page;
+                        self.study_key(page, key);
+                    }
                     _ => {}
                 }
                 Vec::new()
@@ -145,7 +165,7 @@ impl App {
             Action::Save => return vec![self.save_effect(None, false)],
             Action::Command => self.mode = Mode::Entry(Entry::new(Target::Command, "")),
             Action::Details => self.mode = Mode::Details { scroll: 0 },
-            Action::Help => self.mode = Mode::Help { scroll: 0 },
+            Action::Help => self.toggle_help(),
             Action::Suspend => return vec![Effect::Suspend],
             Action::Redraw => return vec![Effect::Redraw],
             Action::Quit => return self.ask_to_quit(),
@@ -153,21 +173,38 @@ impl App {
             Action::Down => self.scroll(1),
             Action::PageUp => self.scroll(-self.page()),
             Action::PageDown => self.scroll(self.page()),
+            Action::Take if matches!(self.mode, Mode::Open(_)) => return self.take_project(),
+            Action::Take if matches!(self.mode, Mode::Export { .. }) => {
+                return self.take_export();
+            }
             Action::Take => self.take_mesh(),
             // Going on without a decision would let new edits take the place of the kept ones.
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
                 return vec![Effect::Quit];
             }
-            Action::Close => self.mode = self.behind(),
+            Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
+            Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
+            Action::Close => {
+                self.open_after_save = None;
+                self.mode = self.behind();
+            }
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
             Action::Restore => self.restore(),
+            Action::Open => return self.show_picker(None),
+            Action::SaveAndOpen => return self.save_and_open(),
+            Action::CopyAnswer => return self.copy_answer(),
+            Action::CopyTable => return self.copy_table(),
+            Action::CopyPage => return self.copy_page(),
+            Action::NextStop => return self.next_stop(),
+            Action::PreviousStop => self.previous_stop(),
             Action::Check => return self.start_check(false),
             Action::CheckAll => return self.start_check(true),
             Action::Live => return self.toggle_live(),
             Action::Fidelity => return self.next_fidelity(),
             Action::Stop => return self.stop_work(),
+            Action::Export => self.mode = Mode::Export { index: 0 },
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
             Action::Study(ask) => self.study_ask(ask),
@@ -198,9 +235,14 @@ impl App {
             Mode::Help { scroll } | Mode::Details { scroll } => {
                 *scroll = scroll.saturating_add_signed(lines).min(last);
             }
+            Mode::Export { index } => {
+                let kinds = crate::export::Kind::ALL.len() as isize;
+                *index = (*index as isize + lines).rem_euclid(kinds) as usize;
+            }
             Mode::MeshPicker { index } => {
                 *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;
             }
+            Mode::Open(_) => self.step_picker(lines),
             Mode::Settings { index } => {
                 let last = settings::Item::ALL.len() - 1;
                 *index = index.saturating_add_signed(lines).min(last);
@@ -239,6 +281,7 @@ impl App {
                 Ok(Vec::new())
             }
             Target::Command => self.command(&text),
+            Target::File => Ok(self.ask_to_open(Path::new(&text))),
             Target::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {
@@ -272,6 +315,8 @@ impl App {
     fn discard(&mut self) -> Vec<Effect> {
         match std::mem::replace(&mut self.mode, Mode::Main) {
             Mode::ConfirmQuit => vec![Effect::ForgetRecovery, Effect::Quit],
+            // The edits stay where they are until the other project is open.
+            Mode::ConfirmOpen { path } => vec![Effect::OpenProject { path }],
             Mode::ConfirmRecovery { .. } => {
                 self.inform("the kept edits were dropped");
                 vec![Effect::ForgetRecovery]
@@ -309,6 +354,7 @@ impl App {
     /// A save has ended.
     fn saved(&mut self, result: Result<Saved, SaveFailure>) -> Vec<Effect> {
         let quit = std::mem::take(&mut self.quit_after_save);
+        let open = self.open_after_save.take();
         match result {
             Ok(saved) => {
                 self.saved = saved.project;
@@ -318,11 +364,16 @@ impl App {
                     None => format!("saved {name}"),
                 });
                 self.path = Some(saved.path);
+                if let Some(path) = open.filter(|_| !self.edited()) {
+                    return vec![Effect::OpenProject { path }];
+                }
                 // Edits made while the save ran are not in the file.
                 if quit && !self.edited() { vec![Effect::Quit] } else { Vec::new() }
             }
             Err(failure) => {
                 if failure.overwrite_helps {
+                    // What was to be opened after the save waits for the answer.
+                    self.open_after_save = open;
                     self.mode = Mode::ConfirmOverwrite { path: failure.path, quit };
                 }
                 self.complain(failure.message);

@@ -2,10 +2,12 @@
 
 use super::VERSION;
 use super::output::{Fault, Format, Outcome, Output, json, say, wrapped};
+use super::watch::Watch;
+use crate::dem::Flow;
 use crate::fingerprint::Fingerprinter;
 use crate::project::{SaveError, create};
-use crate::study::bench::{Known, Row, SCENES, table};
-use crate::study::convergence;
+use crate::study::bench::{Known, Listener, Row, SCENES, Table, table};
+use crate::study::convergence::{self, Sizes, Tables};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
@@ -16,7 +18,8 @@ const AFTER_HELP: &str = "\
 Scenes: A anchored L = 3, D = 1, d = 0.32 m; B laboratory L = 3, D = 1 m; C anchored L = 4, D = 1.2,
 d = 0.40, ex = 2.0, ey = 0.2 m; all with the bench law; A' is A with the reference law and its scatter.
 Errors are against a reference run of the same scene, of force and deflection at the first break and
-of the whole curve; times are of one core to the first break, set-up included.";
+of the whole curve; times are of one core to the first break, set-up included.
+Ctrl+C ends with the rows made so far, exit code 130.";
 
 /// Measure run time against error of the check.
 #[derive(Debug, Args)]
@@ -28,6 +31,9 @@ pub struct BenchArgs {
     /// Error against step, speed, damping and precision instead, with the observed orders.
     #[arg(long, conflicts_with = "svg")]
     convergence: bool,
+    /// Cost against the panel's size from 2 to 12 m instead, with the fitted exponent of nodes.
+    #[arg(long, conflicts_with_all = ["svg", "scene", "convergence"])]
+    size: bool,
     /// Draws the plot to a new file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -46,30 +52,56 @@ pub fn run(args: &BenchArgs) -> Outcome {
     } else {
         args.scene.iter().map(String::as_str).collect()
     };
-    let mut tell = |what: &str| say("progress", what);
+    let watch = Watch::start();
+    let listener = Listener {
+        tell: &|what| say("progress", what),
+        ask: &|| if watch.cancelled() { Flow::Cancel } else { Flow::Continue },
+    };
     if args.convergence {
-        let rows = convergence::tables(&names, &mut tell)?;
+        let tables = convergence::tables(&names, listener)?;
         let result = match args.format {
-            Format::Text => orders(&rows),
-            Format::Json => json(&rows)? + "\n",
+            Format::Text => convergence_text(&tables),
+            Format::Json => whole("bench --convergence", &tables)?,
         };
-        return Ok(Output { result, ..Output::default() });
+        return Ok(Output { result, interrupted: tables.part, ..Output::default() });
     }
-    let (rows, known) = table(&names, &mut tell)?;
-    if let Some(path) = &args.svg {
+    if args.size {
+        let sizes = convergence::sizes(listener)?;
+        let result = match args.format {
+            Format::Text => size_text(&sizes),
+            Format::Json => whole("bench --size", &sizes)?,
+        };
+        return Ok(Output { result, interrupted: sizes.part, ..Output::default() });
+    }
+    let Table { rows, known, part } = table(&names, listener)?;
+    if let (Some(path), false) = (&args.svg, part) {
         create(path, &svg(&rows)).map_err(|e| match e {
             SaveError::Exists(path) => exists(&path),
             other => Fault::Failure(other.to_string()),
         })?;
     }
     let result = match args.format {
+        Format::Text if rows.is_empty() => String::new(),
         Format::Text => text(&rows, &known),
         Format::Json => {
             json(&rows.iter().zip(std::iter::repeat(&known)).map(Made::of).collect::<Vec<_>>())?
                 + "\n"
         }
     };
-    Ok(Output { result, ..Output::default() })
+    Ok(Output { result, interrupted: part, ..Output::default() })
+}
+
+/// A study with what made it, as JSON.
+fn whole(what: &str, study: &impl Serialize) -> Result<String, Fault> {
+    #[derive(Serialize)]
+    struct Whole<'a, T> {
+        version: &'static str,
+        fingerprint: String,
+        #[serde(flatten)]
+        study: &'a T,
+    }
+    let fingerprint = Fingerprinter::new(what).finish().to_string();
+    Ok(json(&Whole { version: VERSION, fingerprint, study })? + "\n")
 }
 
 fn exists(path: &Path) -> Fault {
@@ -256,17 +288,46 @@ fn svg(rows: &[Row]) -> String {
 }
 
 /// The convergence tables as a text.
-fn orders(rows: &[convergence::Row]) -> String {
+fn convergence_text(tables: &Tables) -> String {
     let mut out = String::from(
         "scene knob            value   F err %  delta err %  curve err %  order  estimate %\n",
     );
-    for r in rows {
+    for r in &tables.rows {
         let order = r.order.map_or_else(|| "-".to_string(), |o| format!("{o:.2}"));
         let _ = writeln!(
             out,
             "{:<5} {:<10} {:>10.3e} {:>9.3} {:>12.3} {:>12.3} {:>6} {:>11.3}",
             r.scene, r.knob, r.value, r.force, r.deflection, r.curve, order, r.estimate
         );
+    }
+    if !tables.relations.is_empty() {
+        out.push_str(
+            "\nworst error over estimate    runs  within  median    90 %  rank correlation\n",
+        );
+    }
+    for r in &tables.relations {
+        let _ = writeln!(
+            out,
+            "{:<28} {:>4} {:>7} {:>7.2} {:>7.2} {:>17.2}",
+            r.of, r.runs, r.within, r.median, r.most, r.rank_correlation
+        );
+    }
+    out
+}
+
+/// Cost against size as a text.
+fn size_text(sizes: &Sizes) -> String {
+    let mut out =
+        String::from("punch          L, m   nodes   steps   time, ms  ns per node and step\n");
+    for r in &sizes.rows {
+        let _ = writeln!(
+            out,
+            "{:<13} {:>5} {:>7} {:>7} {:>10.1} {:>21.2}",
+            r.punch, r.spacing, r.nodes, r.steps, r.wall_ms, r.ns_per_node_step
+        );
+    }
+    for (punch, exponent) in ["fixed", "in proportion"].iter().zip(&sizes.exponents) {
+        let _ = writeln!(out, "Time goes with nodes to the power {exponent:.2}, punch {punch}.");
     }
     out
 }

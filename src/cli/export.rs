@@ -5,7 +5,7 @@ use super::destination::Destination;
 use super::output::{Fault, Outcome};
 use super::source::ProjectFile;
 use crate::export::svg::{Series, chart, plan};
-use crate::export::{Case, csv};
+use crate::export::{Case, Check, csv};
 use clap::{Args, ValueEnum};
 
 /// Write curves or a table as CSV, a chart or a plan as SVG.
@@ -87,7 +87,14 @@ pub fn run(args: &ExportArgs, ui: &UiFlags) -> Outcome {
                 }
                 _ => format!("{}: force over deflection", opened.project.name),
             };
-            let series: Vec<Series<'_>> = cases.iter().map(Series::from).collect();
+            let file_name = opened.document.title();
+            let checks: Vec<Option<Check>> =
+                cases.iter().map(|case| Check::of(case, unit, &file_name)).collect();
+            let series: Vec<Series<'_>> = cases
+                .iter()
+                .zip(&checks)
+                .map(|(case, check)| Series { case, check: check.as_ref() })
+                .collect();
             (chart(&series, &title, unit), notes)
         }
         What::Plan => (plan(only_one(&cases)?, unit), Vec::new()),

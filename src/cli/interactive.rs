@@ -5,9 +5,9 @@ use super::{StartFlags, UiFlags, flags, headless_help, output};
 use crate::app::settings::Item;
 use crate::app::{self, App};
 use crate::project::home::{Home, Start};
-use crate::project::{self, Document, Opened};
+use crate::project::{self, Opened};
 use crate::term::capabilities::Surroundings;
-use crate::term::{Ending, FileHost, Options, Session, TermError, preferences};
+use crate::term::{Ending, FileHost, Options, Session, TermError, kept, migrated, preferences};
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -59,25 +59,22 @@ fn run(
     let (preferences, bad_settings) = preferences(&home, &surroundings, flags);
     let settings = preferences.effective();
     let charset = surroundings.charset(settings.glyphs);
-    let session = Session::open(Options { charset, ..Options::default() })?;
+    let session = Session::open(Options {
+        charset,
+        clipboard: surroundings.clipboard(),
+        ..Options::default()
+    })?;
     if let Some(path) = document.path() {
         // Not being able to remember the file is no reason not to open it.
         let _ = home.remember(path);
     }
-    let mut note = bad_settings.or(note).or_else(|| migrated(&document));
-    let kept = document.find_recovery(&home).and_then(|kept| {
-        let project = document.recover(&kept);
-        if project.is_err() {
-            let path = kept.path.display();
-            note = Some(format!("edits kept from a lost session cannot be read: {path}"));
-        }
-        project.ok()
-    });
+    let (kept, unreadable) = kept(&document, &home);
+    let note = unreadable.or(bad_settings).or(note).or_else(|| migrated(&document));
     let mut app = App::new(app::Start {
         project: Arc::new(project),
         path: document.path().map(|p| p.to_path_buf()),
         note,
-        kept: kept.map(Arc::new),
+        kept,
         look: preferences.look(&settings),
         units: settings.units,
         // The loop says the real size before it draws.
@@ -85,11 +82,4 @@ fn run(
         preferences,
     });
     session.run(&mut app, Arc::new(FileHost::new(document, home)))
-}
-
-/// What to say of a file in an older format.
-fn migrated(document: &Document) -> Option<String> {
-    document.migrated_from().map(|version| {
-        format!("the file has the older format {version}; saving brings it up to date")
-    })
 }

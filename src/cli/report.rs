@@ -4,7 +4,7 @@ use super::UiFlags;
 use super::destination::Destination;
 use super::output::Outcome;
 use super::source::ProjectFile;
-use crate::export::{Report, Source};
+use crate::export::{Check, Report, Source};
 use clap::{Args, ValueEnum};
 
 /// Write a report that holds everything: inputs, method, values at each step, pictures, warnings.
@@ -32,12 +32,15 @@ enum Format {
 pub fn run(args: &ReportArgs, ui: &UiFlags) -> Outcome {
     let (opened, cases) = args.project.open(None)?;
     let file_name = opened.document.title();
+    let unit = ui.units.unwrap_or(opened.project.display.length_unit);
+    let checks: Vec<Option<Check>> =
+        cases.iter().map(|case| Check::of(case, unit, &file_name)).collect();
     let report = Report {
         project: &opened.project,
         cases: &cases,
-        checks: &[],
+        checks: &checks,
         source: Source { file_name: &file_name, text: opened.document.on_disk(), edited: false },
-        unit: ui.units.unwrap_or(opened.project.display.length_unit),
+        unit,
     };
     let format = args.format.unwrap_or_else(|| match args.to.ending().as_deref() {
         Some("md" | "markdown") => Format::Md,

@@ -118,12 +118,12 @@ impl BondCurve {
         let end = top.min(self.rupture());
         let mut work = 0.0;
         let (mut e0, mut f0) = (ramp.start, 0.0);
-        for strain in &self.strain {
+        for (strain, force) in self.strain.iter().zip(&self.force) {
             if end <= e0 {
                 break;
             }
             let e1 = end.min(*strain);
-            let f1 = self.envelope(ramp, e1);
+            let f1 = if e1 < *strain { self.envelope(ramp, e1) } else { *force };
             work += 0.5 * (f0 + f1) * (e1 - e0);
             (e0, f0) = (e1, f1);
         }

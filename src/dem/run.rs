@@ -1,8 +1,8 @@
 //! Run control: drives a solver from the first touch to a stated end.
 //!
 //! A run is a sequence of *windows* of about 2 mm of punch travel, each of *blocks* of 4 steps. After
-//! a block broken bonds are looked for; after a window the mean forces become a point of the curve,
-//! and every two centimetres the kinetic energy is taken.
+//! a block (far from a break, after a window) broken bonds are looked for; after a window the mean forces become a point of the curve,
+//! and every two centimetres or 64 steps the kinetic energy is taken.
 //!
 //! - *Force*: 0.25 of the force on the punch and 0.75 of that on the support. Inertia enters the two
 //!   with opposite signs and nearly cancels; the weight was found on the four bench scenes (0.3 at first, less with scatter). The
@@ -14,10 +14,13 @@
 //! - *Silent failure*: an unstable step does not blow up, it shakes one bond until that breaks, early
 //!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
 //!   bond is nearly there. Where none was above [`SUDDEN`], or a twist shook by more than [`SHAKING`], the run is repeated with 0.7 of the step;
-//!   if that breaks suddenly too and elsewhere, it counts as diverged. Besides, the energies must balance.
-//! - *Error estimate*: 0.35 of the largest difference of punch and support force before the break over
-//!   the largest force, which is what inertia does and the weighting must cancel, and never less than
-//!   what the shortcuts may change. A test and the convergence tables hold it against true errors.
+//!   if that breaks suddenly too, and elsewhere, and its energies do not balance to 1 %, it counts as
+//!   diverged. In every run they must balance to 2 % and half the kinetic energy.
+//! - *Error estimate*: a part (0.35 anchored, 0.9 in the laboratory test) of the largest difference of
+//!   punch and support force before the break over the largest force, which is what inertia does and
+//!   the weighting must cancel, and never less than what the shortcuts may change. It holds nine times
+//!   in ten (`meshcast bench --convergence`). It does not see what a millimetre decides: under a punch
+//!   below 0.4 m the first break may jump between two ways of failing (see [`super::bifurcation`]).
 
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
@@ -30,6 +33,8 @@ use crate::problem::Problem;
 
 /// Steps between two searches for broken bonds.
 const BLOCK: usize = 4;
+/// Utilisation, at the last look, above which every block is looked through for broken bonds.
+const WATCHFUL: f64 = 0.4;
 /// Punch travel of a point of the curve, m.
 const WINDOW: f64 = 0.002;
 /// Part of the force on the punch in the reported force; the rest is the force on the support.
@@ -41,16 +46,21 @@ const SLIP: (f64, f64) = (0.03, 0.2);
 /// Punch travel between two looks at the utilisation, and at the kinetic energy, m.
 const LOOK: f64 = 0.006;
 const ACCOUNT: f64 = 0.02;
+/// Steps between two looks at the kinetic energy at most: damping takes a third of it by then.
+const SAMPLE: usize = 64;
+/// Accounts of all energies: punch travel between two, m.
+const BALANCE: f64 = 0.1;
 /// Utilisation, at the last look before a first break, below which the break was sudden.
 pub const SUDDEN: f64 = 0.7;
 /// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed: sound runs of
 /// the bench scenes and of ensembles stay below 6, the first failing one had 12.
 pub const SHAKING: f64 = 8.0;
-/// Largest error of the curve over the largest difference of the forces on punch and support: up to
-/// about a third in the runs of the benchmark.
-const GAP_TO_ERROR: f64 = 0.35;
-/// Largest energy out of nowhere before a run counts as diverged, over the work of the punch.
-const IMBALANCE: f64 = 0.05;
+/// Error over the largest difference of the forces on punch and support, anchored and laboratory: the
+/// nine tenths point of runs of random scenes with punches from 0.45 m, rounded up.
+const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
+/// Largest energy out of nowhere of a net at rest before a run counts as diverged, over the work of
+/// the punch: nearly all sound runs of random scenes stay below 0.005.
+const IMBALANCE: f64 = 0.02;
 /// Largest punch displacement over the panel's side where the caller says nothing.
 const LIMIT: f64 = 0.6;
 
@@ -116,8 +126,10 @@ pub fn check(
             (Some(a), Some(b)) => (a.deflection / b.deflection - 1.0).abs() < 0.03,
             _ => false,
         };
-        // A sudden break that comes again with a shorter step is the net's own.
-        if again.sudden() && !near(again.first_break, outcome.first_break) {
+        // A sudden break is the net's own where it comes again with a shorter step, or where all energy
+        // is accounted for: a net may snap from one shape to another.
+        let balanced = again.quality.energy_balance.abs() < 0.5 * IMBALANCE;
+        if again.sudden() && !near(again.first_break, outcome.first_break) && !balanced {
             again.stop = Stop::Diverged;
         }
         outcome = again;
@@ -177,9 +189,9 @@ struct Ledger {
     /// Kinetic energy when last taken, J, and the steps since.
     kinetic: f64,
     since: usize,
-    /// Punch travel since then, m, and how often it was taken.
+    /// Punch travel since then, and since all energies were taken, m.
     travelled: f64,
-    accounts: usize,
+    balanced: f64,
     /// Kinetic energy over the work when last taken.
     worst: f64,
 }
@@ -219,7 +231,7 @@ impl<'a> Run<'a> {
             }
             let slow = if self.first_break.is_some() { 1.0 } else { 1.6 - 1.2 * utilisation };
             let travel = self.scheme.travel * slow.clamp(0.4, 1.0);
-            if let Some(stop) = self.window(solver, travel) {
+            if let Some(stop) = self.window(solver, travel, utilisation) {
                 break stop;
             }
             if let Some(stop) = self.ended(solver.deflection()) {
@@ -241,11 +253,13 @@ impl<'a> Run<'a> {
     }
 
     /// One window; tells if the run must end in it.
-    fn window(&mut self, solver: &mut dyn Stepper, travel: f64) -> Option<Stop> {
+    fn window(&mut self, solver: &mut dyn Stepper, travel: f64, utilisation: f64) -> Option<Stop> {
         let blocks = ((WINDOW / travel / BLOCK as f64).round() as usize).max(1);
         let mut mean = Block::default();
         let mut broke = false;
-        for _ in 0..blocks {
+        // Far from a break it is enough to look once a window.
+        let watchful = self.first_break.is_some() || utilisation > WATCHFUL;
+        for number in 1..=blocks {
             let block = solver.advance(BLOCK, travel);
             self.steps += BLOCK;
             if self.first_break.is_none() {
@@ -254,6 +268,9 @@ impl<'a> Run<'a> {
             mean.deflection += block.deflection / blocks as f64;
             mean.punch += block.punch / blocks as f64;
             mean.support += block.support / blocks as f64;
+            if !(watchful || number == blocks) {
+                continue;
+            }
             let before = self.known.len();
             if solver.broken(&mut self.known) > 0 {
                 broke = true;
@@ -268,7 +285,7 @@ impl<'a> Run<'a> {
                 }
                 if self.first_break.is_none() {
                     self.first_break(solver);
-                    if self.quality.energy_balance.abs() > IMBALANCE {
+                    if self.quality.energy_balance.abs() > self.unexplained() {
                         return Some(Stop::Diverged);
                     }
                     break;
@@ -290,18 +307,19 @@ impl<'a> Run<'a> {
         self.first_break.is_some_and(|p| p.deflection >= solver.deflection())
     }
 
-    /// Keeps the energy account every two centimetres; tells if energy comes out of nowhere.
+    /// Keeps the energy account; tells if energy comes out of nowhere.
     fn account(&mut self, solver: &dyn Stepper, steps: usize, travel: f64) -> Option<Stop> {
         if self.first_break.is_some() {
             return None;
         }
         self.energy.since += steps;
         self.energy.travelled += travel * steps as f64;
-        if self.energy.travelled < ACCOUNT {
+        if self.energy.travelled < ACCOUNT && self.energy.since < SAMPLE {
             return None;
         }
-        self.sample(solver);
+        self.energy.balanced += self.energy.travelled;
         self.energy.travelled = 0.0;
+        self.sample(solver);
         // Early on the net is slack and its nodes hop about; nothing is near a break then.
         if self.quality.last_utilisation > 0.1 {
             let steps = 0.1 * solver.deflection() / travel;
@@ -311,10 +329,9 @@ impl<'a> Run<'a> {
         if !self.energy.kinetic.is_finite() || self.energy.kinetic > self.energy.work + 0.1 {
             return Some(Stop::Diverged);
         }
-        self.energy.accounts += 1;
-        if self.energy.accounts.is_multiple_of(5) {
-            let imbalance = self.imbalance(solver);
-            if imbalance.abs() * self.energy.work > IMBALANCE * self.energy.work + 1.0 {
+        if self.energy.balanced > BALANCE {
+            self.energy.balanced = 0.0;
+            if self.unbalanced(self.imbalance(solver)) {
                 return Some(Stop::Diverged);
             }
         }
@@ -342,6 +359,17 @@ impl<'a> Run<'a> {
         } else {
             part
         }
+    }
+
+    /// Largest imbalance that is believed: what damping takes is summed up from kinetic energies some
+    /// steps apart, so a net in motion may have a part of that energy more.
+    fn unexplained(&self) -> f64 {
+        IMBALANCE + 0.5 * self.energy.worst
+    }
+
+    /// Whether an imbalance is more than that, and more than a joule.
+    fn unbalanced(&self, imbalance: f64) -> bool {
+        imbalance.abs() * self.energy.work > self.unexplained() * self.energy.work + 1.0
     }
 
     /// Records the first break.
@@ -426,11 +454,14 @@ impl<'a> Run<'a> {
         Net { nodes: solver.positions(), bonds, deflection: solver.deflection() }
     }
 
-    fn finish(mut self, stop: Stop, solver: &dyn Stepper) -> Outcome {
+    fn finish(mut self, mut stop: Stop, solver: &dyn Stepper) -> Outcome {
         if self.first_break.is_none() {
             self.steps_to_break = self.steps;
             self.sample(solver);
             self.quality.energy_balance = self.imbalance(solver);
+            if self.unbalanced(self.quality.energy_balance) {
+                stop = Stop::Diverged;
+            }
             if self.controls.keep_net {
                 self.net = Some(self.drawn(solver));
             }
@@ -446,8 +477,9 @@ impl<'a> Run<'a> {
         let (punch, support) = late.fold((0.0, 0.0), |s, p| (s.0 + p.punch, s.1 + p.support));
         self.quality.kinetic_over_internal = self.energy.worst;
         self.quality.support_over_punch = if punch > 0.0 { support / punch } else { 0.0 };
+        let to_error = GAP_TO_ERROR[usize::from(self.scene.spec.test == Test::Laboratory)];
         self.quality.error_estimate =
-            (GAP_TO_ERROR * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
+            (to_error * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
         let curve = Curve {
             deflection: self.points.iter().map(|p| p.deflection).collect(),
             force: self.points.iter().map(weighted).collect(),

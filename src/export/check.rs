@@ -1,6 +1,14 @@
 //! A discrete element check as charts and reports show it.
 
+use super::Case;
+use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
+use crate::dem::outcome::Quality;
+use crate::study::verdict::make::fingerprint;
+use crate::study::verdict::places::Places;
+use crate::study::verdict::{VERSION, Verdict};
+use crate::units::LengthUnit;
+use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
 /// Force between two limits over deflection; the three lists have the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -31,6 +39,27 @@ pub struct Check {
 }
 
 impl Check {
+    /// The check that the project keeps of a case's layout, if it keeps one. Lengths in the notes are
+    /// shown in `unit`; `file_name` is the project's, for the command that makes it again.
+    pub fn of(case: &Case, unit: LengthUnit, file_name: &str) -> Option<Check> {
+        let v = case.entry.check.as_deref()?;
+        let stale = !current(case, v);
+        let runs = if v.runs == 1 { "1 run".to_string() } else { format!("{} runs", v.runs) };
+        let band = (!v.band[0].is_empty()).then(|| Band {
+            deflection: v.curve.deflection.clone(),
+            low: v.band[0].clone(),
+            high: v.band[1].clone(),
+        });
+        Some(Check {
+            label: format!("check by simulation, {runs}, {}", v.wanted.fidelity.word()),
+            mean: v.curve.clone(),
+            band,
+            breaks: v.breaks.iter().map(|b| b.at).collect(),
+            notes: notes(case, v, unit, file_name, stale),
+            stale,
+        })
+    }
+
     /// The label, with a mark where the inputs have changed since.
     pub fn title(&self) -> String {
         if self.stale {
@@ -39,4 +68,90 @@ impl Check {
             self.label.clone()
         }
     }
+}
+
+/// Whether a verdict still is what this program would find for a case.
+pub fn current(case: &Case, verdict: &Verdict) -> bool {
+    let wire = case.mesh.wire.as_ref();
+    wire.is_some_and(|wire| {
+        verdict.current(fingerprint(&case.entry.layout(), wire, &verdict.wanted))
+    })
+}
+
+/// What is to be known of a verdict, a sentence each.
+fn notes(case: &Case, v: &Verdict, unit: LengthUnit, file: &str, stale: bool) -> Vec<String> {
+    let m = |value: f64| length_text(value, unit);
+    let kn = |value: f64| significant(to_kn(value), 3);
+    let mut notes = Vec::new();
+    if v.breaks.len() > 1 {
+        notes.push(format!(
+            "over random alignments and slack: force {} +- {} kN (standard deviation; standard error {}), 5 to 95 % {} to {} kN; deflection {} +- {}, 5 to 95 % {} to {}",
+            kn(v.force.mean),
+            kn(v.force.deviation),
+            kn(v.force.error),
+            kn(v.force.band[0]),
+            kn(v.force.band[1]),
+            m(v.deflection.mean),
+            m(v.deflection.deviation),
+            m(v.deflection.band[0]),
+            m(v.deflection.band[1])
+        ));
+    }
+    notes.push(format!(
+        "peak {} at {}; stiffness at 75 % of the force {} kN/m; energy up to the first break {} kJ",
+        force_text(v.peak.force),
+        m(v.peak.deflection),
+        kn(v.k75),
+        significant(to_kj(v.energy), 3)
+    ));
+    if !v.breaks.is_empty() && !stale {
+        let places = Places::of(v, &case.entry.layout());
+        notes.push(format!(
+            "the first wire broke at: {}; double twists: {} of {}",
+            places.text(),
+            places.twists,
+            v.breaks.len()
+        ));
+    }
+    if v.slipped > 0 {
+        notes.push(format!("the punch slipped through in {} of {} runs", v.slipped, v.runs));
+    }
+    notes.push(quality(&v.quality));
+    for warning in &v.warnings {
+        notes.push(match warning.as_str() {
+            "bifurcation" => {
+                "the answer depends on a millimetre of the punch's place: only the band counts"
+                    .into()
+            }
+            "diverged" => "some runs ran away and were left out".into(),
+            "cancelled" => "the check was ended early: these are the runs made by then".into(),
+            other => other.to_string(),
+        });
+    }
+    let runs = v.wanted.runs.map_or(String::new(), |n| format!(" --runs {n}"));
+    let repeat = format!(
+        "meshcast check {} {} --fidelity {}{runs} --seed {}",
+        file_word(file),
+        quoted(&format!("--layout={}", case.entry.name)),
+        v.wanted.fidelity.word(),
+        v.wanted.seed
+    );
+    let by = if v.version == VERSION {
+        format!("version {}", v.version)
+    } else {
+        format!("version {}, another than the one that wrote this", v.version)
+    };
+    notes.push(format!("made by {by}, inputs {}; made again by: {repeat}", v.inputs));
+    notes
+}
+
+fn quality(q: &Quality) -> String {
+    let percent = |part: f64| format!("{} %", significant(100.0 * part, 2));
+    format!(
+        "quality, the worst of the runs: estimated error of the curve {}, kinetic over internal energy {}, energy out of balance {}, support over punch force {}",
+        percent(q.error_estimate),
+        percent(q.kinetic_over_internal),
+        percent(q.energy_balance),
+        significant(q.support_over_punch, 3)
+    )
 }

@@ -65,7 +65,7 @@ fn force_word(newton: f64) -> String {
 }
 
 /// A word for a shell: in quotes where it needs them.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '-' | '_' | '+' | '=');
     if !word.is_empty() && word.chars().all(plain) {
         word.to_string()

@@ -2,9 +2,11 @@
 //! those of the JSON of `meshcast forecast`, lengths m, forces kN.
 
 use super::Case;
+use super::check::current;
 use crate::VERSION;
 use crate::curve::Curve;
 use crate::forecast::CURVE_POINTS;
+use crate::study::verdict::Verdict;
 use crate::units::{to_kj, to_kn, without_noise};
 use csv::{Terminator, WriterBuilder};
 
@@ -87,10 +89,22 @@ const COLUMNS: &[Column] = &[
     ("allowable_F_kN", |c| maybe(at_deflection(c), |a| kn(a.force))),
     ("allowable_design_F_kN", |c| maybe(at_deflection(c), |a| kn(a.design_force))),
     ("allowable_energy_kJ", |c| maybe(at_deflection(c), |a| number(to_kj(a.energy)))),
+    ("dem_F_kN", |c| maybe(broke(c), |v| kn(v.force.mean))),
+    ("dem_F_sd_kN", |c| maybe(broke(c), |v| kn(v.force.deviation))),
+    ("dem_delta_m", |c| maybe(broke(c), |v| number(v.deflection.mean))),
+    ("dem_delta_sd_m", |c| maybe(broke(c), |v| number(v.deflection.deviation))),
+    ("dem_runs", |c| maybe(c.entry.check.as_ref(), |v| v.runs.to_string())),
+    ("dem_fidelity", |c| maybe(c.entry.check.as_ref(), |v| v.wanted.fidelity.word().into())),
+    ("dem_stale", |c| maybe(c.entry.check.as_ref(), |v| (!current(c, v)).to_string())),
     ("warnings", |c| c.forecast.warnings.iter().map(|w| w.code()).collect::<Vec<_>>().join(" ")),
     ("fingerprint", |c| c.fingerprint.to_string()),
     ("version", |_| VERSION.into()),
 ];
+
+/// The kept check, if a wire broke in it.
+fn broke(case: &Case) -> Option<&Verdict> {
+    case.entry.check.as_deref().filter(|v| v.broke())
+}
 
 fn other(case: &Case) -> Option<crate::forecast::Values> {
     case.forecast.field.and_then(|f| f.other_branch)

@@ -5,6 +5,7 @@
 //! - [`case`]: a layout of a project with all that follows from it; [`check`]: a discrete element
 //!   check as the pictures show it.
 //! - [`csv`]: tables; [`svg`]: chart and plan; [`report`]: the report as HTML and as Markdown.
+//! - [`kind`]: what the program writes at a key press, and under which name.
 //! - [`command`]: the command lines that give the same numbers; [`escape`]: safe text for all these.
 
 pub mod case;
@@ -12,9 +13,11 @@ pub mod check;
 pub mod command;
 pub mod csv;
 pub mod escape;
+pub mod kind;
 pub mod report;
 pub mod svg;
 
 pub use case::{Case, cases};
 pub use check::{Band, Check};
+pub use kind::Kind;
 pub use report::{Report, Source};

@@ -77,6 +77,11 @@ impl Home {
         self.config.as_ref().map(|dir| dir.join("settings.ron"))
     }
 
+    /// Whether a file is one of the program's own and no project.
+    pub fn keeps(&self, path: &Path) -> bool {
+        [self.state_file(), self.settings_file()].iter().flatten().any(|own| own == path)
+    }
+
     pub(super) fn owns(&self, path: &Path) -> bool {
         self.dir.as_ref().is_some_and(|dir| path.starts_with(dir))
     }

@@ -125,7 +125,7 @@ fn fresh(wanted: &[(&str, String)], known: &[Known]) -> String {
     let mut out = "// Settings of meshcast; :set in the program changes them too.\n(\n".to_string();
     for (name, word) in wanted {
         if let Some(k) = known.iter().find(|k| k.name == *name) {
-            out.push_str(&format!("    // {}: {}\n", k.about, k.allowed));
+            out.push_str(&format!("    // {}\n    // one of: {}\n", k.about, k.allowed));
         }
         out.push_str(&format!("    {name}: {word},\n"));
     }
@@ -241,7 +241,10 @@ mod tests {
     #[test]
     fn comments_stay_and_new_files_explain_themselves() {
         let first = render(None, &wanted("quick", "auto"), &known());
-        assert!(first.contains("// how fast: quick, fine\n    speed: quick,\n"), "{first}");
+        assert!(
+            first.contains("// how fast\n    // one of: quick, fine\n    speed: quick,\n"),
+            "{first}"
+        );
         let old = "// mine\n(runs: 3, /* why */ speed: quick)\n";
         let now = render(Some(old), &wanted("fine", "auto"), &known());
         assert_eq!(now, "// mine\n(runs: auto, /* why */ speed: fine)\n");

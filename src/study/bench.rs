@@ -5,7 +5,9 @@ use super::clock::thread_seconds;
 use crate::dem::inertia::StepFactors;
 use crate::dem::plain::{Damping, Inertia, Plain};
 use crate::dem::run::drive;
-use crate::dem::{Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, Scene, SceneSpec, Test, check};
+use crate::dem::{
+    Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, Scene, SceneSpec, Stop, Test, check,
+};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
@@ -121,23 +123,50 @@ fn controls(fidelity: Fidelity) -> Controls {
     Controls { fidelity, after_break: 0.0, ..Controls::default() }
 }
 
-/// Runs and times one check; the best of `times`.
-pub fn timed(
-    spec: &SceneSpec,
-    controls: &Controls,
-    times: usize,
-) -> Result<(Outcome, f64), Vec<Problem>> {
-    let mut best: Option<(Outcome, f64)> = None;
-    for _ in 0..times.max(1) {
-        let start = thread_seconds();
-        let outcome = check(spec, controls, &mut |_| Flow::Continue)?;
-        let time = thread_seconds() - start;
-        if best.as_ref().is_none_or(|b| time < b.1) {
-            best = Some((outcome, time));
-        }
+/// Who listens to a study of solvers, and may end it early.
+#[derive(Clone, Copy)]
+pub struct Listener<'a> {
+    /// Is told what is being run.
+    pub tell: &'a dyn Fn(&str),
+    /// Is asked whether to go on, many times in every run.
+    pub ask: &'a dyn Fn() -> Flow,
+}
+
+impl Listener<'_> {
+    /// Runs a check; nothing where it was ended early.
+    ///
+    /// # Errors
+    /// What is wrong with the scene or the controls.
+    pub fn check(
+        &self,
+        spec: &SceneSpec,
+        controls: &Controls,
+    ) -> Result<Option<Outcome>, Vec<Problem>> {
+        let outcome = check(spec, controls, &mut |_| (self.ask)())?;
+        Ok((outcome.stop != Stop::Cancelled).then_some(outcome))
     }
-    // The loop runs at least once.
-    best.ok_or_else(Vec::new)
+
+    /// Runs and times one check, s of processor time; the best of `times`.
+    ///
+    /// # Errors
+    /// What is wrong with the scene or the controls.
+    pub fn timed(
+        &self,
+        spec: &SceneSpec,
+        controls: &Controls,
+        times: usize,
+    ) -> Result<Option<(Outcome, f64)>, Vec<Problem>> {
+        let mut best: Option<(Outcome, f64)> = None;
+        for _ in 0..times {
+            let start = thread_seconds();
+            let Some(outcome) = self.check(spec, controls)? else { return Ok(None) };
+            let time = thread_seconds() - start;
+            if best.as_ref().is_none_or(|b| time < b.1) {
+                best = Some((outcome, time));
+            }
+        }
+        Ok(best)
+    }
 }
 
 /// Travel per step of the plain run, m: 1 m/s at 0.95 of the critical step of 3.9 g nodes.
@@ -146,8 +175,11 @@ const PLAIN_TRAVEL: f64 = 8.8e-6;
 const PLAIN_STEP: f64 = 0.8;
 
 /// The plain run: double precision, one loop over bonds and one over nodes, the same mass for all
-/// nodes, local damping 0.5, force taken at the punch, 1 m/s; timed.
-pub fn plain(spec: &SceneSpec) -> Result<(Outcome, f64), Vec<Problem>> {
+/// nodes, local damping 0.5, force taken at the punch, 1 m/s; timed. Nothing where it was ended early.
+///
+/// # Errors
+/// What is wrong with the scene.
+pub fn plain(spec: &SceneSpec, listener: Listener) -> Result<Option<(Outcome, f64)>, Vec<Problem>> {
     let start = thread_seconds();
     let scene = Scene::new(spec)?;
     // Gershgorin: the sum over a node's bonds (two wires and a twist) of 2 k is at most 4 m.
@@ -159,21 +191,29 @@ pub fn plain(spec: &SceneSpec) -> Result<(Outcome, f64), Vec<Problem>> {
     let mut scheme = controls.scheme(&scene)?;
     scheme.travel = PLAIN_TRAVEL;
     scheme.factors = StepFactors { translation: PLAIN_STEP, stretching: PLAIN_STEP };
-    let mut outcome = drive(&scene, &mut solver, &scheme, &controls, &mut |_| Flow::Continue);
+    let mut outcome = drive(&scene, &mut solver, &scheme, &controls, &mut |_| (listener.ask)());
     let time = thread_seconds() - start;
     outcome.curve.force = outcome.punch.clone();
-    Ok((outcome, time))
+    Ok((outcome.stop != Stop::Cancelled).then_some((outcome, time)))
 }
 
-/// The table of the scenes named, and how well each reference is known. `tell` is told what is being run.
+/// The table, how well each scene's reference is known, and whether it was ended early.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    /// Rows, scene by scene.
+    pub rows: Vec<Row>,
+    /// References.
+    pub known: Vec<Known>,
+    /// Whether it was ended early, so that something is missing.
+    pub part: bool,
+}
+
+/// The table of the scenes named; what is done by then where `listener` ends it early.
 ///
 /// # Errors
 /// A scene that is not known.
-pub fn table(
-    names: &[&str],
-    tell: &mut dyn FnMut(&str),
-) -> Result<(Vec<Row>, Vec<Known>), Vec<Problem>> {
-    let (mut rows, mut known) = (Vec::new(), Vec::new());
+pub fn table(names: &[&str], listener: Listener) -> Result<Table, Vec<Problem>> {
+    let mut table = Table::default();
     for name in names {
         let Some(spec) = scene(name) else {
             return Err(vec![
@@ -182,25 +222,43 @@ pub fn table(
                     .allowed(SCENES.join(", ")),
             ]);
         };
-        tell(&format!("scene {name}: reference"));
-        let (reference, reference_time) = timed(&spec, &controls(Fidelity::Reference), 1)?;
-        tell(&format!("scene {name}: reference at half the speed"));
-        let travel = controls(Fidelity::Reference).scheme(&Scene::new(&spec)?)?.travel;
+        table.part = table.scene(name, &spec, listener)?.is_none();
+        if table.part {
+            break;
+        }
+    }
+    Ok(table)
+}
+
+impl Table {
+    /// Adds the rows of one scene; nothing where that was ended early.
+    fn scene(
+        &mut self,
+        name: &str,
+        spec: &SceneSpec,
+        listener: Listener,
+    ) -> Result<Option<()>, Vec<Problem>> {
+        let tell = |what: &str| (listener.tell)(&format!("scene {name}: {what}"));
+        tell("reference");
+        let run = listener.timed(spec, &controls(Fidelity::Reference), 1)?;
+        let Some((reference, reference_time)) = run else { return Ok(None) };
+        tell("reference at half the speed");
+        let travel = controls(Fidelity::Reference).scheme(&Scene::new(spec)?)?.travel;
         let half = Controls { speed: Some(travel / 2.0), ..controls(Fidelity::Reference) };
-        let (better, _) = timed(&spec, &half, 1)?;
+        let Some(better) = listener.check(spec, &half)? else { return Ok(None) };
         let gap = errors(&reference, &better).unwrap_or_default();
-        known.push(Known {
+        self.known.push(Known {
             scene: name.to_string(),
             force: 100.0 * gap.force,
             deflection: 100.0 * gap.deflection,
             curve: 100.0 * gap.curve,
         });
-        tell(&format!("scene {name}: plain double precision"));
-        let (slow, slow_time) = plain(&spec)?;
+        tell("plain double precision");
+        let Some((slow, slow_time)) = plain(spec, listener)? else { return Ok(None) };
         let mut push = |fidelity: &str, outcome: &Outcome, time: f64| {
             let e = errors(outcome, &better).unwrap_or_default();
             let p = outcome.first_break.unwrap_or_default();
-            rows.push(Row {
+            self.rows.push(Row {
                 scene: name.to_string(),
                 fidelity: fidelity.to_string(),
                 wall_ms: 1.0e3 * time,
@@ -215,12 +273,13 @@ pub fn table(
             });
         };
         for fidelity in [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine] {
-            tell(&format!("scene {name}: {}", fidelity.word()));
-            let (outcome, time) = timed(&spec, &controls(fidelity), 7)?;
+            tell(fidelity.word());
+            let run = listener.timed(spec, &controls(fidelity), 7)?;
+            let Some((outcome, time)) = run else { return Ok(None) };
             push(fidelity.word(), &outcome, time);
         }
         push("reference", &reference, reference_time);
         push("plain", &slow, slow_time);
+        Ok(Some(()))
     }
-    Ok((rows, known))
 }

@@ -57,6 +57,12 @@ impl Surroundings {
         }
     }
 
+    /// Whether what is to be copied may be sent (OSC 52). Old terminals would show it, and the Linux
+    /// console has no clipboard.
+    pub fn clipboard(&self) -> bool {
+        !self.term.is_empty() && !self.is_serial() && !self.term.starts_with("linux")
+    }
+
     fn default_glyphs(&self) -> Glyphs {
         if !self.utf8 || self.is_serial() {
             Glyphs::Ascii
@@ -133,6 +139,22 @@ mod tests {
         let plain = surroundings(&[("TERM", "vt100")]);
         let asked = plain.look(ColorChoice::Auto, Some(Glyphs::Braille));
         assert_eq!(asked.glyphs, Glyphs::Braille);
+    }
+
+    #[test]
+    fn copies_go_to_terminals_that_pass_over_what_they_do_not_know() {
+        for (term, takes) in [
+            ("xterm-256color", true),
+            ("tmux-256color", true),
+            ("screen", true),
+            ("putty", true),
+            ("linux", false),
+            ("vt220", false),
+            ("dumb", false),
+            ("", false),
+        ] {
+            assert_eq!(surroundings(&[("TERM", term)]).clipboard(), takes, "{term}");
+        }
     }
 
     #[test]

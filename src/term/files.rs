@@ -1,9 +1,12 @@
 //! The real outside world: the project's file, its recovery file, the list of recent projects.
 
+use super::exports::{self, Wanted};
+use super::found;
 use super::program::Host;
-use crate::app::message::{SaveFailure, Saved};
+use crate::app::message::{Exported, SaveFailure, Saved};
+use crate::app::open::{Found, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
-use crate::project::{Document, Home, Overwrite, Project, SaveError, SaveReport};
+use crate::project::{self, Document, Home, Opened, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -65,9 +68,52 @@ impl Host for FileHost {
         Ok(())
     }
 
+    fn list(&self) -> Vec<Found> {
+        let document = self.document();
+        let folder = document.path().and_then(Path::parent);
+        let folder = folder.filter(|dir| !dir.as_os_str().is_empty());
+        // A working directory that is gone leaves the project's own folder.
+        let near = [std::env::current_dir().ok(), folder.map(Path::to_path_buf)];
+        found::list(&self.home, document.path(), &near.into_iter().flatten().collect::<Vec<_>>())
+    }
+
+    fn open(&self, path: &Path) -> Result<OpenedProject, OpenFailure> {
+        let opened = project::load(path).map_err(|e| OpenFailure { message: e.to_string() })?;
+        let Opened { document, project } = opened;
+        self.document().discard_recovery(&self.home);
+        let _ = self.home.remember(path);
+        let (kept, note) = kept(&document, &self.home);
+        let note = note.or_else(|| migrated(&document));
+        *self.slot() = Arc::new(document);
+        Ok(OpenedProject { project: Arc::new(project), path: path.to_path_buf(), note, kept })
+    }
+
+    fn export(&self, wanted: Wanted<'_>) -> Result<Exported, String> {
+        exports::write(&self.document(), wanted)
+    }
+
     fn keep_settings(&self, settings: &Settings) -> Result<Option<String>, String> {
         super::preferences::keep(&self.home, settings)
     }
+}
+
+/// Edits of a project kept from a session that was cut off, or what is to be said of them.
+pub fn kept(document: &Document, home: &Home) -> (Option<Arc<Project>>, Option<String>) {
+    let Some(kept) = document.find_recovery(home) else { return (None, None) };
+    match document.recover(&kept) {
+        Ok(project) => (Some(Arc::new(project)), None),
+        Err(_) => {
+            let path = kept.path.display();
+            (None, Some(format!("edits kept from a lost session cannot be read: {path}")))
+        }
+    }
+}
+
+/// What to say of a file in an older format.
+pub fn migrated(document: &Document) -> Option<String> {
+    document.migrated_from().map(|version| {
+        format!("the file has the older format {version}; saving brings it up to date")
+    })
 }
 
 fn failure(error: &SaveError, path: Option<&Path>) -> SaveFailure {

@@ -78,3 +78,29 @@ fn forgetting_what_is_not_there_is_fine() {
     files.forget_recovery().unwrap();
     assert!(!kept.exists());
 }
+
+#[test]
+fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_own() {
+    let (dir, path, files, project) = open();
+    let former = files.recover(&edited(&project, "unsaved")).unwrap();
+    let other = dir.path().join("other.ron");
+    project::create(&other, &project::new_project("Other")).unwrap();
+    let failure = files.open(&dir.path().join("none.ron")).unwrap_err();
+    assert!(failure.message.contains("none.ron"), "{}", failure.message);
+    assert!(former.exists());
+    // Edits of the other project that a lost session left.
+    let lost = FileHost::new(project::load(&other).unwrap().document, files.home.clone());
+    let left = lost.recover(&edited(&project, "left behind")).unwrap();
+
+    let opened = files.open(&other).unwrap();
+    assert_eq!((opened.project.name.as_str(), opened.path.as_path()), ("Other", other.as_path()));
+    assert_eq!(opened.kept.unwrap().name, "left behind");
+    assert!(!former.exists());
+    assert!(left.exists());
+    assert_eq!(files.home.recent(), std::slice::from_ref(&other));
+    assert_eq!(files.save(&edited(&project, "x"), None, false).unwrap().path, other);
+    let found = files.list();
+    let row = found.iter().find(|f| f.path == other).unwrap();
+    assert!(row.current && row.recent);
+    assert!(found.iter().any(|f| f.path == path && !f.recent));
+}

@@ -16,9 +16,12 @@
 
 pub mod capabilities;
 mod cells;
+mod clipboard;
 mod error;
 mod events;
+mod exports;
 mod files;
+mod found;
 mod guard;
 mod hangup;
 mod input;
@@ -39,7 +42,8 @@ mod workshop;
 
 pub use error::TermError;
 pub use events::Mail;
-pub use files::FileHost;
+pub use exports::Wanted;
+pub use files::{FileHost, kept, migrated};
 pub use guard::restore;
 pub use keys::key_from;
 pub use painter::{Charset, Meter, Painter};

@@ -1,7 +1,9 @@
 //! What the loop needs from the program's state and from the outside world.
 
+use super::exports::Wanted;
 use crate::app::look::Look;
-use crate::app::message::{Effect, Message, SaveFailure, Saved};
+use crate::app::message::{Effect, Exported, Message, SaveFailure, Saved};
+use crate::app::open::{Found, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;
@@ -50,5 +52,21 @@ pub trait Host: Send + Sync {
     /// without a place for them forgets them.
     fn keep_settings(&self, _settings: &Settings) -> Result<Option<String>, String> {
         Ok(None)
+    }
+
+    /// Writes a report, a chart or a table. A host without files says so.
+    fn export(&self, _wanted: Wanted<'_>) -> Result<Exported, String> {
+        Err("nothing can be written here".to_owned())
+    }
+
+    /// Project files that can be opened: recent ones, then those near by.
+    fn list(&self) -> Vec<Found> {
+        Vec::new()
+    }
+
+    /// Opens a project in place of the present one, whose recovery file is dropped with it. When that
+    /// fails, the present one stays.
+    fn open(&self, _path: &Path) -> Result<OpenedProject, OpenFailure> {
+        Err(OpenFailure { message: "no other project can be opened here".to_owned() })
     }
 }

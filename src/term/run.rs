@@ -1,6 +1,8 @@
 //! The loop: waits on the channel, updates the state, carries out effects, draws what changed.
 
+use super::clipboard;
 use super::events::Event;
+use super::exports::Wanted;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
@@ -47,6 +49,8 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) events: Receiver<Event>,
     pub(super) workshop: Workshop,
     pub(super) painter: Painter,
+    /// Whether the terminal may be sent what is to be copied.
+    pub(super) clipboard: bool,
     /// How long edits may stay out of the recovery file; `None` leaves it to the program.
     pub(super) autosave: Option<Duration>,
     pub(super) size: (u16, u16),
@@ -128,7 +132,10 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             for effect in self.program.update(message) {
                 messages.extend(self.carry_out(effect));
             }
-            self.note_unsaved();
+            // With an answer still to come the program may speak of what is no longer there.
+            if messages.is_empty() {
+                self.note_unsaved();
+            }
         }
     }
 
@@ -151,6 +158,12 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.suspend(true);
                 None
             }
+            Effect::Export { kind, project, edited, layout, unit, path, overwrite } => {
+                let path = path.as_deref();
+                let wanted =
+                    Wanted { kind, project: &project, edited, layout, unit, path, overwrite };
+                Some(Message::Exported(self.host.export(wanted)))
+            }
             Effect::Work(order) => return self.workshop.order(order),
             Effect::StopWork => {
                 self.workshop.stop();
@@ -161,6 +174,17 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.redraw = true;
                 None
             }
+            Effect::Copy { text } => self.copy(&text),
+            Effect::ListProjects => Some(Message::Projects(self.host.list())),
+            Effect::OpenProject { path } => {
+                let result = self.host.open(&path);
+                if result.is_ok() {
+                    // The host dropped the former project's recovery file; what is there now
+                    // belongs to the new one.
+                    self.rescue.note(None);
+                }
+                Some(Message::Opened(result))
+            }
             Effect::KeepSettings { settings } => {
                 Some(Message::SettingsKept(self.host.keep_settings(&settings)))
             }
@@ -170,6 +194,23 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             }
         };
         message.into_iter().collect()
+    }
+
+    /// Sends a text to the terminal's clipboard. The painter need not know: nothing on the screen
+    /// changes and the cursor stays.
+    fn copy(&mut self, text: &str) -> Option<Message> {
+        if !self.clipboard {
+            return Some(Message::Trouble("this kind of terminal has no clipboard".to_owned()));
+        }
+        match clipboard::copy(text) {
+            Ok(bytes) => {
+                if self.stage.write(&bytes).is_err() {
+                    self.hang_up();
+                }
+                None
+            }
+            Err(why) => Some(Message::Trouble(why)),
+        }
     }
 
     fn forget_recovery(&mut self) -> Option<Message> {

@@ -6,6 +6,7 @@ use super::*;
 use crate::app::key::{Code, Key};
 use crate::app::look::Look;
 use crate::app::message::{SaveFailure, Saved};
+use crate::app::open::{OpenFailure, OpenedProject};
 use crate::project::Project;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
@@ -31,11 +32,12 @@ impl Stage for NotedStage {
         self.size
     }
 
-    fn write(&mut self, _bytes: &[u8]) -> io::Result<()> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.broken {
             return Err(io::ErrorKind::BrokenPipe.into());
         }
-        note(&self.notes, "frame");
+        let copied = bytes.starts_with(b"\x1b]52");
+        note(&self.notes, if copied { "copied" } else { "frame" });
         Ok(())
     }
 
@@ -75,6 +77,12 @@ impl Host for NotedHost {
         note(&self.notes, "forget");
         Ok(())
     }
+
+    fn open(&self, path: &Path) -> Result<OpenedProject, OpenFailure> {
+        note(&self.notes, format!("open {}", path.display()));
+        let project = Arc::new(Project::starter("other"));
+        Ok(OpenedProject { project, path: path.to_path_buf(), note: None, kept: None })
+    }
 }
 
 /// Notes messages; keys ask for effects.
@@ -102,6 +110,8 @@ impl Program for NotedProgram {
                     }
                     'z' => return vec![Effect::Suspend],
                     'r' => return vec![Effect::Redraw],
+                    'y' => return vec![Effect::Copy { text: "22.8 kN".to_owned() }],
+                    'o' => return vec![Effect::OpenProject { path: "other.ron".into() }],
                     'q' => return vec![Effect::Quit],
                     _ => {}
                 }
@@ -121,7 +131,11 @@ impl Program for NotedProgram {
             Message::Resize { width, height } => {
                 note(&self.notes, format!("size {width}x{height}"));
             }
-            Message::Paste(_) | Message::Key(_) | Message::Work(_) | Message::SettingsKept(_) => {}
+            Message::Opened(_) => {
+                self.unsaved = None;
+                note(&self.notes, "opened");
+            }
+            _ => {}
         }
         Vec::new()
     }
@@ -175,6 +189,7 @@ fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
         host,
         events,
         painter: Painter::new(Charset::Utf8),
+        clipboard: setting.can_stop,
         autosave: setting.autosave,
         size: (0, 0),
         unkept_since: None,
@@ -304,4 +319,28 @@ fn edits_that_cannot_be_kept_are_told_once() {
     });
     let told = "trouble: unsaved edits could not be kept in the recovery file: no room";
     assert_eq!(notes, ["size 20x4", "frame", "key e", "recover edited", told]);
+}
+
+#[test]
+fn after_opening_another_project_its_recovery_file_stays() {
+    // `e` edits, `o` opens another project, whose answer lets the edits go.
+    let setting = Setting { autosave: Some(Duration::from_millis(5)), ..HEALTHY };
+    let (_, notes) = run(setting, |mail| {
+        type_keys(&mail, "e");
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(150));
+            type_keys(&mail, "oq");
+        });
+    });
+    let wanted = ["size 20x4", "frame", "key e", "recover edited", "open other.ron", "opened"];
+    assert_eq!(notes, wanted);
+}
+
+#[test]
+fn a_copy_is_sent_at_once_and_draws_nothing() {
+    let (_, notes) = run(HEALTHY, keys("yq"));
+    assert_eq!(notes, ["size 20x4", "frame", "copied"]);
+    // A terminal that would show the bytes gets none.
+    let (_, notes) = run(Setting { can_stop: false, ..HEALTHY }, keys("yq"));
+    assert_eq!(notes, ["size 20x4", "frame", "trouble: this kind of terminal has no clipboard"]);
 }

@@ -23,12 +23,14 @@ pub struct Options {
     pub charset: Charset,
     /// How long edits may stay out of the recovery file; `None` keeps them only at the end.
     pub autosave: Option<Duration>,
+    /// Whether the terminal takes OSC 52, or at least passes over it.
+    pub clipboard: bool,
 }
 
 impl Default for Options {
-    /// UTF-8, edits kept after five seconds.
+    /// UTF-8, edits kept after five seconds, copies sent.
     fn default() -> Options {
-        Options { charset: Charset::Utf8, autosave: Some(Duration::from_secs(5)) }
+        Options { charset: Charset::Utf8, autosave: Some(Duration::from_secs(5)), clipboard: true }
     }
 }
 
@@ -81,6 +83,7 @@ impl Session {
             events,
             workshop: Workshop::open(mail),
             painter: Painter::new(options.charset),
+            clipboard: options.clipboard,
             autosave: options.autosave,
             size: (0, 0),
             unkept_since: None,

@@ -13,6 +13,9 @@ pub fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme) {
         Context::ConfirmOverwrite => {
             "The file on disk is not the one this project was read from, or another file has that name."
         }
+        Context::ConfirmOpen => {
+            "There are edits that are not saved; opening another project lets them go."
+        }
         Context::ConfirmRecovery => {
             "A session of this file was cut off and its unsaved edits were kept."
         }

@@ -25,10 +25,12 @@ pub mod check;
 pub mod compact;
 pub mod confirm;
 pub mod contours;
+pub mod export;
 pub mod hint;
 pub mod inputs;
 pub mod layouts;
 pub mod mesh_picker;
+pub mod open;
 pub mod page;
 pub mod plan;
 pub mod ratios;
@@ -36,6 +38,7 @@ pub mod settings;
 pub mod studies;
 pub mod text;
 pub mod theme;
+pub mod tour;
 pub mod warnings;
 
 use crate::app::{App, Mode};
@@ -72,7 +75,9 @@ pub fn draw(app: &App, buf: &mut Buffer) {
     match app.mode() {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
+        Mode::Export { index } => export::draw(app, *index, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
+        Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
             if fits(LARGE) {
@@ -84,6 +89,9 @@ pub fn draw(app: &App, buf: &mut Buffer) {
             }
             if let Some(context) = app.context() {
                 confirm::draw(context, middle, buf, &theme);
+            }
+            if let Mode::Tour { stop } = app.mode() {
+                tour::draw(*stop, middle, buf, &theme);
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The built binary without a screen: results, errors, exit codes.
 
+mod bench;
 mod check;
 mod errors;
 mod exporting;

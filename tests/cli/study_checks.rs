@@ -54,6 +54,8 @@ fn is_the_check(dem: &Value, check: &Value) {
         }
     }
     assert_eq!(dem["runs"].as_u64(), check["runs"].as_array().map(|r| r.len() as u64));
+    assert_eq!(dem["runs"], dem["broken"]);
+    assert!(number(dem, "/error_estimate") > 0.0);
     assert_eq!((&dem["slipped"], &dem["fingerprint"]), (&check["slipped"], &check["fingerprint"]));
 }
 
@@ -218,6 +220,22 @@ fn what_a_check_does_not_know_has_a_reason_and_no_run() {
     let e = refused(&["sensitivity", "--runs", "4"]);
     assert!(e.contains("--dem"), "{e}");
     assert!(refused(&of("sensitivity", &["--dem", "--fidelity=rough"])).contains("standard"));
+}
+
+#[test]
+fn runs_without_a_break_are_told_apart() {
+    // A block as small as the openings: it goes through.
+    let small = ["sweep", "-L1.3", "--vary=D", "--from=0.05", "--to=0.4", "--steps=2", "--dem"];
+    let all = [&small[..], &QUICK].concat();
+    let v = object(&all);
+    let dem = &v["points"][0]["dem"];
+    assert!(dem["F_kN"].is_null() && dem["difference_pct"].is_null() && dem["broken"] == 0);
+    assert!(dem["band"]["F_kN"][1].is_f64() && v["points"][1]["dem"]["F_kN"].is_f64());
+    let text = went(&all);
+    fits(&text);
+    assert!(text.lines().any(|l| l.contains("0.05") && l.contains("no break")), "{text}");
+    let csv = went(&[&all[..], &["--format=csv"]].concat());
+    assert!(csv.lines().nth(1).unwrap().contains(",extrapolated_D,,,,"), "{csv}");
 }
 
 /// Ctrl+C ends with the checks that are done: valid JSON, exit code 130.

@@ -1,6 +1,7 @@
 //! Screens by styled snapshot, and edits by key script.
 
 mod checks;
+mod desk;
 mod harness;
 mod readme;
 mod scripts;

@@ -113,7 +113,7 @@ fn layouts_are_added_copied_renamed_moved_and_deleted() {
     assert_eq!(app.selected(), 1);
     press(&mut app, "r<C-u>portal<Enter>");
     assert!(text(&app).contains("another layout is already called"));
-    press(&mut app, "<C-u>new slope<Enter>y");
+    press(&mut app, "<C-u>new slope<Enter>d");
     assert_eq!(names(&app)[1..3], ["new slope", "new slope (2)"]);
     press(&mut app, "JJ");
     assert_eq!(names(&app)[4], "new slope (2)");
@@ -298,6 +298,7 @@ fn commands_of_the_help_are_known() {
         for form in command.form.split(" / ") {
             let form =
                 form.replace("PATH", "x.ron").replace("TEXT", "text").replace("ID", "dt-8x10-2.7");
+            let form = form.replace("KIND", "chart");
             let form = form.split('|').next().unwrap().replace('N', "2");
             let mut app = app();
             press(&mut app, &format!(":{form}<Enter>"));
@@ -329,7 +330,19 @@ fn an_unknown_key_says_where_the_keys_are() {
 #[test]
 fn every_size_is_drawn_without_panic_and_within_the_screen() {
     let mut app = app();
-    for script in ["", "o<Tab>", "?", "<Esc>i", "<Esc>m", "<Esc>r", "<Esc><Right>q", "<Esc>:w"] {
+    for script in [
+        "",
+        "o<Tab>",
+        "?",
+        "<Esc>i",
+        "<Esc>m",
+        "<Esc>r",
+        "<Esc><Right>q",
+        "<Esc>:w",
+        "<Esc>:set<Enter>",
+        "<Esc>O",
+        "<Esc>:tour<Enter>",
+    ] {
         press(&mut app, script);
         for width in [1, 20, 39, 40, 41, 63, 64, 79, 80, 81, 109, 110, 140, 300] {
             for height in [1, 5, 11, 12, 13, 23, 24, 25, 33, 34, 60, 100] {
@@ -338,4 +351,31 @@ fn every_size_is_drawn_without_panic_and_within_the_screen() {
             }
         }
     }
+}
+
+#[test]
+fn what_is_written_is_chosen_from_a_list_or_named() {
+    use meshcast::app::message::Exported;
+    use meshcast::export::Kind;
+    let mut app = app();
+    press(&mut app, "<Tab><Tab>e");
+    insta::assert_snapshot!("export_list", text(&app));
+    let effects = press(&mut app, "<Down><Down><Enter>");
+    let [Effect::Export { kind: Kind::Chart, layout: 2, path: None, overwrite: false, .. }] =
+        &effects[..]
+    else {
+        panic!("{effects:?}")
+    };
+    let path = PathBuf::from("/site/road-cut-bench-3-chart.svg");
+    app.update(Message::Exported(Ok(Exported { path, note: None })));
+    assert_eq!(app.status().unwrap().text, "written: /site/road-cut-bench-3-chart.svg");
+    let effects = press(&mut app, ":export! report /tmp/r.html<Enter>");
+    let [Effect::Export { kind: Kind::ReportHtml, path: Some(path), overwrite: true, .. }] =
+        &effects[..]
+    else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(path, &PathBuf::from("/tmp/r.html"));
+    press(&mut app, ":export poem<Enter>");
+    assert!(text(&app).contains("export one of: report"), "{}", text(&app));
 }

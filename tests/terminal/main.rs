@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 mod cost;
+mod desk;
 mod drawing;
 mod endings;
 mod program;

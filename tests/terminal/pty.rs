@@ -41,8 +41,13 @@ pub struct Launch {
 }
 
 impl Launch {
-    /// The built `meshcast`.
+    /// The built `meshcast`, which does not begin with the tour.
     pub fn meshcast() -> Launch {
+        Launch::new_user().arg("--no-tour")
+    }
+
+    /// The built `meshcast` as one who never ran it finds it.
+    pub fn new_user() -> Launch {
         Launch::program(env!("CARGO_BIN_EXE_meshcast"))
     }
 

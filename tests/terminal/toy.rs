@@ -54,6 +54,7 @@ fn child() {
     let options = Options {
         charset: surroundings.charset(None),
         autosave: autosave.map(Duration::from_millis),
+        ..Options::default()
     };
     let session = Session::open(options).unwrap();
     let mut toy = Toy {
@@ -101,7 +102,7 @@ impl Program for Toy {
             Message::Saved(Err(failure)) => self.say(&failure.message),
             Message::Trouble(trouble) => self.say(&trouble),
             Message::Resumed => self.say("back again"),
-            Message::HangUp | Message::Work(_) | Message::SettingsKept(_) => {}
+            _ => {}
         }
         Vec::new()
     }

@@ -95,7 +95,7 @@ pub(super) const BINDINGS: &[Binding] = &[
         Some("overlay"),
     ),
     bind(C::Main, A::Add, &[c('a')], "add a layout at the reference point", Some("add")),
-    bind(C::Main, A::Duplicate, &[c('y')], "copy this layout", Some("copy")),
+    bind(C::Main, A::Duplicate, &[c('d')], "duplicate this layout", Some("duplicate")),
     bind(C::Main, A::PickMesh, &[c('m')], "pick the mesh of this layout", Some("mesh")),
     bind(
         C::Main,
@@ -148,16 +148,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     bind(
         C::Pager,
         A::Close,
-        &[
-            c('q'),
-            p(Code::Esc),
-            Key::ctrl('g'),
-            p(Code::Enter),
-            c('?'),
-            c('i'),
-            p(Code::F(1)),
-            Key::ctrl('c'),
-        ],
+        &[c('q'), p(Code::Esc), Key::ctrl('g'), p(Code::Enter), c('i'), Key::ctrl('c')],
         "back",
         Some("back"),
     ),

@@ -24,6 +24,11 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "units m|mm", help: "unit of lengths" },
     CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },
     CommandHelp { form: "color 16|none", help: "colours" },
+    CommandHelp { form: "export", help: "choose what to write to a file" },
+    CommandHelp {
+        form: "export KIND PATH",
+        help: "write report, markdown, chart, charts, plan, curves or table; export! replaces a file",
+    },
     CommandHelp { form: "check / check all", help: "check this layout, or all" },
     CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {
@@ -33,6 +38,9 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "live on|off", help: "a quick check after each edit" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },
     CommandHelp { form: "help", help: "this help" },
+    CommandHelp { form: "open", help: "list of recent and near projects, as O (also :e)" },
+    CommandHelp { form: "open PATH", help: "open another project" },
+    CommandHelp { form: "tour", help: "the tour of the first run" },
     CommandHelp { form: "set", help: "the settings, kept for all projects" },
     CommandHelp {
         form: "set fidelity quick|standard|fine",

@@ -6,6 +6,7 @@
 mod bindings;
 mod commands;
 mod desk;
+mod output;
 mod studies;
 
 pub use commands::{COMMANDS, CommandHelp};
@@ -107,10 +108,26 @@ pub enum Action {
     Fidelity,
     /// End what runs behind the screen.
     Stop,
+    /// Choose what to write to a file.
+    Export,
     /// Give the marked setting its next word.
     NextWord,
     /// Give the marked setting its previous word.
     PreviousWord,
+    /// Show the projects that can be opened.
+    Open,
+    /// Save, then open the other project.
+    SaveAndOpen,
+    /// Copy the layout's answer.
+    CopyAnswer,
+    /// Copy the table of all layouts.
+    CopyTable,
+    /// Copy the page being read.
+    CopyPage,
+    /// The next screen of the tour.
+    NextStop,
+    /// The screen of the tour before.
+    PreviousStop,
     /// Something on a page of a study, or the page itself.
     Study(Ask),
 }
@@ -132,6 +149,14 @@ pub enum Context {
     ConfirmRecovery,
     /// The list of settings.
     Settings,
+    /// The list of projects to open.
+    Open,
+    /// The question before opening another project with unsaved edits.
+    ConfirmOpen,
+    /// The tour of the first run.
+    Tour,
+    /// The list of what can be written.
+    Export,
     /// How the answer moves with each input.
     Sensitivity,
     /// One input over a range, or two over a map.
@@ -144,7 +169,7 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 11] = [
+    pub const ALL: [Context; 15] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -152,6 +177,10 @@ impl Context {
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
         Context::Settings,
+        Context::Open,
+        Context::ConfirmOpen,
+        Context::Tour,
+        Context::Export,
         Context::Sensitivity,
         Context::Sweep,
         Context::Compare,
@@ -168,7 +197,11 @@ impl Context {
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
             Context::Settings => "Settings",
-            Context::Sensitivity => "Sensitivity, and from ? on all four pages of studies",
+            Context::Open => "List of projects",
+            Context::ConfirmOpen => "Unsaved edits before opening",
+            Context::Tour => "Tour",
+            Context::Export => "What to write",
+            Context::Sensitivity => "Sensitivity; the keys from q on hold on all pages of studies",
             Context::Sweep => "Sweep",
             Context::Compare => "Compare",
             Context::Design => "Design",
@@ -210,7 +243,7 @@ pub fn shared(context: Context, action: Action) -> bool {
 
 /// The bindings of all screens.
 pub fn all() -> impl Iterator<Item = &'static Binding> {
-    let lists = [BINDINGS, desk::BINDINGS, studies::BINDINGS];
+    let lists = [BINDINGS, output::BINDINGS, desk::BINDINGS, studies::BINDINGS];
     lists.into_iter().flatten().chain(studies::COMMON.iter().flatten())
 }
 
@@ -237,6 +270,14 @@ mod tests {
         let plain = |k: &Key| !k.alt && !k.shift && !matches!(k.code, Code::F(_));
         for b in all() {
             assert!(b.keys.iter().any(plain), "{:?} {:?}", b.context, b.action);
+        }
+    }
+
+    #[test]
+    fn every_screen_has_help() {
+        for context in Context::ALL {
+            let help = action(context, Key::char('?'));
+            assert_eq!(help, Some(Action::Help), "{context:?}");
         }
     }
 

@@ -3,7 +3,7 @@
 
 mod check;
 
-use super::keymap::{self, Action, Context};
+use super::help;
 use super::{App, Mode};
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
 use crate::forecast::{Field, Forecast};
@@ -21,15 +21,15 @@ pub struct PageLine {
 /// A page as it grows.
 pub(super) struct Page {
     width: usize,
-    lines: Vec<PageLine>,
+    pub(super) lines: Vec<PageLine>,
 }
 
 impl Page {
-    fn new(width: usize) -> Page {
+    pub(super) fn new(width: usize) -> Page {
         Page { width: width.max(20), lines: Vec::new() }
     }
 
-    fn heading(&mut self, text: &str) {
+    pub(super) fn heading(&mut self, text: &str) {
         if !self.lines.is_empty() {
             self.lines.push(PageLine { text: String::new(), heading: false });
         }
@@ -37,7 +37,7 @@ impl Page {
     }
 
     /// A paragraph; its further lines are indented by `hang`.
-    fn text(&mut self, text: &str, hang: usize) {
+    pub(super) fn text(&mut self, text: &str, hang: usize) {
         self.push(text, hang, false);
     }
 
@@ -57,36 +57,7 @@ impl Page {
     }
 }
 
-/// The help, made from the key map.
-pub fn help(width: usize) -> Vec<PageLine> {
-    let mut page = Page::new(width);
-    let key_column = 18;
-    for context in Context::ALL {
-        page.heading(context.heading());
-        // What holds on every screen is said once, with the main screen.
-        let everywhere = [Action::Redraw, Action::Suspend];
-        let said =
-            |a| context != Context::Main && everywhere.contains(&a) || keymap::shared(context, a);
-        for b in keymap::of(context).filter(|b| !said(b.action)) {
-            let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
-            page.text(&format!("  {:<key_column$} {}", keys.join(" "), b.help), key_column + 3);
-        }
-    }
-    page.heading("While typing");
-    page.text("  Enter takes the text, Esc or Ctrl+G drops it. A refused text stays, with the reason. Ctrl+A and Ctrl+E go to the ends, Ctrl+U clears.", 2);
-    page.heading("Commands");
-    for c in keymap::COMMANDS {
-        page.text(&format!("  :{:<w$} {}", c.form, c.help, w = key_column - 1), key_column + 3);
-    }
-    page.heading("Signs");
-    page.text("  ! beside a number: something to know about it; i says what", 2);
-    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. o: mean first break of the check by simulation, with its curve in dashes and its 5 to 95 % band in dots; x in the plan: where the first wire of each run broke, and lines of equal height of the net at 20, 40, 60 and 80 % of its largest. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
-    page.heading("The method");
-    method(&mut page);
-    page.lines
-}
-
-fn method(page: &mut Page) {
+pub(super) fn method(page: &mut Page) {
     page.text("  Pol & Gabrieli (2021): the laboratory punch test of the mesh (F_l*, delta_l*), times alpha_F and alpha_delta, gives the field reference (F_a*, delta_a*); Eqs. A.1-A.2 take plate d, spacing L and punch D into account, the map of Fig. A1 the eccentricity; the master curve, Eq. 3, gives the whole curve.", 2);
     page.text(&format!("  Published ranges: d {}, L {}, D {}; laboratory panel {}. Outside them the numbers are extrapolated and marked.", PLATE.text(), SPACING.text(), PUNCH.text(), PANEL.text()), 2);
     page.text("  It is a lower bound: a block in every cell of the mesh, so every anchor carries the whole force of its cell. It is not the answer for one block on a large mesh. Anchors stand on a square grid, the net hangs with its twists down the slope (y); other grids are not covered.", 2);
@@ -256,7 +227,7 @@ impl App {
     pub fn page_lines(&self) -> Vec<PageLine> {
         match self.mode() {
             Mode::Details { .. } => details(self, self.page_width()),
-            _ => help(self.page_width()),
+            _ => help::help(self.page_width(), help::Topic::of(&self.under_help)),
         }
     }
 

@@ -81,7 +81,11 @@ impl App {
             Item::Color => self.look.color = self.preferences.look(&self.settings).color,
             Item::Fidelity | Item::Runs | Item::Live | Item::Tour => {}
         }
-        Ok(vec![Effect::KeepSettings { settings: self.preferences.kept.clone() }])
+        let mut effects = vec![Effect::KeepSettings { settings: self.preferences.kept.clone() }];
+        if item == Item::Live && !self.settings.live {
+            effects.extend(self.end_live());
+        }
+        Ok(effects)
     }
 
     /// The marked setting's next or previous word.

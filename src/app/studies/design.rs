@@ -206,7 +206,7 @@ impl App {
         match &line.kind {
             Kind::Take { value, .. } => {
                 let case = view.case.with(line.input, *value);
-                self.adopt(case, symbol);
+                self.take_into_layout(case, symbol);
             }
             Kind::Always => self.inform(format!("every {symbol} of the range meets it")),
             Kind::Never(_) => self.complain(format!("no {symbol} of the range meets it")),

@@ -106,8 +106,6 @@ pub struct Studies {
     campaigns: Campaigns,
     /// How exactly the checks of studies compute; quick where nothing was said.
     fidelity: Option<Fidelity>,
-    /// The page that the help lies over.
-    behind: Option<Page>,
     sensitivity: sensitivity::State,
     sweep: sweep::State,
     compare: compare::State,
@@ -124,10 +122,9 @@ impl App {
         }
     }
 
-    /// What is under the text, help or list that lies over everything now.
-    pub(super) fn behind(&mut self) -> Mode {
+    /// What is under the text that is typed, or the list that lies over everything now.
+    pub(super) fn behind(&self) -> Mode {
         let page = match self.mode {
-            Mode::Help { .. } => self.studies.behind.take(),
             Mode::Entry(_) => self.page_open(),
             _ => None,
         };
@@ -150,10 +147,6 @@ impl App {
         match action {
             Action::Up => self.study_move(page, -1),
             Action::Down => self.study_move(page, 1),
-            Action::Help => {
-                self.studies.behind = Some(page);
-                self.mode = Mode::Help { scroll: 0 };
-            }
             Action::Check => return Some(self.start_study(page)),
             Action::Stop if self.campaign().is_some() => return None,
             Action::Stop => self.mode = Mode::Main,
@@ -258,7 +251,7 @@ impl App {
     }
 
     /// Makes the selected layout's sizes those of a case, as an edit that can be undone.
-    fn adopt(&mut self, case: Case, words: &str) {
+    fn take_into_layout(&mut self, case: Case, words: &str) {
         if let Err(problems) = case.layout.check() {
             let why = problems.first().map_or(String::new(), |p| p.to_string());
             return self.complain(why);

@@ -409,7 +409,7 @@ impl App {
         if view.axes.iter().any(|axis| axis.input.is_laboratory()) {
             return self.complain("the laboratory values are the mesh's, not the layout's");
         }
-        self.adopt(case, &words.join(", "));
+        self.take_into_layout(case, &words.join(", "));
     }
 }
 

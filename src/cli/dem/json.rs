@@ -52,7 +52,12 @@ struct DemJson<'a> {
     band: BandJson,
     standard_error: ErrorJson,
     runs: usize,
+    /// How many of them are in the mean: those that broke a wire.
+    broken: usize,
     slipped: usize,
+    /// The worst of the runs' own estimates, as a part.
+    #[serde(serialize_with = "number")]
+    error_estimate: f64,
     difference_pct: Option<DifferenceJson>,
     #[serde(skip_serializing_if = "Option::is_none")]
     change: Option<Option<ChangeJson>>,
@@ -159,7 +164,9 @@ impl<'a> DemJson<'a> {
                 delta_m: f.error.map(|v| v.deflection),
             },
             runs: verdict.runs,
+            broken: verdict.breaks.len(),
             slipped: verdict.slipped,
+            error_estimate: verdict.quality.error_estimate,
             difference_pct: f
                 .difference
                 .map(|d| DifferenceJson { F: 100.0 * d.force, delta: 100.0 * d.deflection }),

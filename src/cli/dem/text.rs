@@ -2,7 +2,7 @@
 
 use crate::cli::page::Page;
 use crate::study::checks::{Answer, NoCheck};
-use crate::study::verdict::Wanted;
+use crate::study::verdict::{Verdict, Wanted};
 
 /// What all checks of a study have in common.
 pub fn plan(page: &mut Page, wanted: &Wanted) {
@@ -20,6 +20,9 @@ pub fn plan(page: &mut Page, wanted: &Wanted) {
         ),
     );
 }
+
+/// A word in front, what is said, and of which verdicts.
+type Remark<'a> = (&'a str, &'a str, &'a dyn Fn(&Verdict) -> bool);
 
 /// What to know of the answers, each named.
 pub fn notes<'a>(page: &mut Page, answers: impl Iterator<Item = (String, &'a Answer)> + Clone) {
@@ -41,21 +44,34 @@ pub fn notes<'a>(page: &mut Page, answers: impl Iterator<Item = (String, &'a Ans
     if let Some(first) = first {
         page.line("no DEM", format!("{}: {}", listed(&names), first.reason()));
     }
-    let warned = [
-        ("slipped", "runs slipped through: in the band by their peak, not in the mean"),
-        ("diverged", "runs diverged and are not counted"),
-        ("cancelled", "ended early: the mean of the runs that are whole"),
-        ("bifurcation", "the block can stay on a wire or slip off it; only the ensemble counts"),
+    let has = |v: &Verdict, code: &str| v.warnings.iter().any(|w| w == code);
+    let warned: [Remark; 6] = [
+        ("cancelled", "ended early, the mean is of the runs that were whole", &|v| {
+            has(v, "cancelled")
+        }),
+        ("diverged", "runs diverged and are not counted", &|v| has(v, "diverged")),
+        (
+            "bifurcation",
+            "the block can stay on a wire or slip off it; only the ensemble counts",
+            &|v| has(v, "bifurcation"),
+        ),
+        ("slipped", "runs slipped through: in the band by their peak, not in the mean", &|v| {
+            v.slipped > 0
+        }),
+        (
+            "no break",
+            "runs came to the displacement limit: in the band by their peak, not in the mean",
+            &|v| v.breaks.len() + v.slipped < v.runs,
+        ),
+        ("inexact", "estimated error of a run above twice what the fidelity aims at", &|v| {
+            v.quality.error_estimate > 2.0 * v.wanted.fidelity.aim()
+        }),
     ];
-    for (code, text) in warned {
-        let of = |a: &(String, &Answer)| {
-            a.1.as_ref().is_ok_and(|v| {
-                v.warnings.iter().any(|w| w == code) || (code == "slipped" && v.slipped > 0)
-            })
-        };
-        let names: Vec<String> = answers.clone().filter(of).map(|a| a.0).collect();
+    for (head, text, of) in warned {
+        let names: Vec<String> =
+            answers.clone().filter(|a| a.1.as_ref().is_ok_and(of)).map(|a| a.0).collect();
         if !names.is_empty() {
-            page.line(code, format!("{}: {text}", listed(&names)));
+            page.line(head, format!("{}: {text}", listed(&names)));
         }
     }
 }

@@ -33,7 +33,7 @@ pub fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
     }
     if let Some(d) = f.difference {
         let parts = [100.0 * d.force, 100.0 * d.deflection];
-        text.push_str(&format!("; over forecast {:+.1} %, {:+.1} %", parts[0], parts[1]));
+        text.push_str(&format!("; {:+.1} % and {:+.1} % over the forecast", parts[0], parts[1]));
     }
     page.line("CHECK", text);
 }

@@ -121,8 +121,7 @@ fn forecast(outcome: &Outcome, shown: Shown) -> Cell {
 
 fn checked(answer: &Answer, question: &Question, shown: Shown) -> Cell {
     match answer {
-        // A run that slipped has no force of its own.
-        Ok(v) => shown.found(&Figures::of(v, None, question)).map_or(Cell::Sign('s'), Cell::Value),
+        Ok(v) => shown.found(&Figures::of(v, None, question)).map_or(Cell::Sign('n'), Cell::Value),
         Err(NoCheck::Impossible(_)) => Cell::Sign('X'),
         Err(NoCheck::Laboratory | NoCheck::NotMade) => Cell::Empty,
     }
@@ -198,7 +197,7 @@ fn legend(page: &mut Page, layer: &Layer) {
     let signs = [
         ('P', "P punch on a plate"),
         ('?', "? makes no sense"),
-        ('s', "s slips through"),
+        ('n', "n no break"),
         ('X', "X cannot be checked"),
     ];
     let signs: Vec<&str> = signs.into_iter().filter(|s| there(s.0)).map(|s| s.1).collect();

@@ -19,11 +19,12 @@ pub mod state;
 
 use super::inertia::{self, PairModes, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
+use super::law::{Law, Ramp};
 use super::scene::Scene;
 use super::stepper::{Block, Energies, Stepper};
 use kernel::DomeHeights;
 use lanes::{Portable, Real};
-use state::{BLOCK, MISSING, PAD, State, bond_values, curve};
+use state::{BLOCK, BondValues, MISSING, PAD, State, bond_values, curve};
 
 /// Instruction set of the kernel. The answer has the same bits with each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -94,25 +95,33 @@ pub struct FastOptions {
     pub path: Path,
 }
 
+/// Slopes at which single wires and twists unload, N per unit of strain: the elastic ones, or the
+/// steepest behind the ramp.
+pub fn unloading(law: &Law, true_unloading: bool) -> [f64; 2] {
+    [&law.single, &law.twist].map(|curve| {
+        // A curve of one point has no slope behind its ramp; the elastic one serves.
+        let soft = curve.steepest();
+        if true_unloading || soft <= 0.0 { curve.unloading } else { soft }
+    })
+}
+
+/// The largest tangent stiffness of every bond, N/m, in order of their numbers; 0 where there is none.
+pub fn stiffest(scene: &Scene, unloading: [f64; 2]) -> Vec<f64> {
+    let mut all = vec![0.0; 3 * scene.lattice.pairs()];
+    for number in scene.bond_numbers() {
+        let bond = bond_values(scene, number, bond_of(number).1, unloading);
+        all[number] = bond.ramp.unloading / bond.taut;
+    }
+    all
+}
+
 impl<R: Kernel> Fast<R> {
     /// The solver of `scene` at rest.
     pub fn new(scene: &Scene, options: FastOptions) -> Fast<R> {
-        let law = &scene.law;
-        let unloading = if options.true_unloading {
-            [law.single.unloading, law.twist.unloading]
-        } else {
-            [law.single.steepest(), law.twist.steepest()]
-        };
-        // A curve of one point has no slope behind its ramp; the elastic one serves.
-        let unloading = [
-            if unloading[0] > 0.0 { unloading[0] } else { law.single.unloading },
-            if unloading[1] > 0.0 { unloading[1] } else { law.twist.unloading },
-        ];
-        let stiffness = |number: usize| {
-            let bond = bond_values(scene, number, bond_of(number).1, unloading);
-            bond.ramp.unloading / bond.taut
-        };
-        let inertia = inertia::pairs(&scene.lattice, &scene.fixed, &stiffness, options.factors);
+        let unloading = unloading(&scene.law, options.true_unloading);
+        let stiffness = stiffest(scene, unloading);
+        let inertia =
+            inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
         let modes = inertia.iter().map(PairModes::of).collect();
         let state = State::new(scene, &inertia, unloading, 1.0 - options.damping);
         let path =
@@ -237,50 +246,71 @@ impl<R: Kernel> Stepper for Fast<R> {
     }
 
     fn kinetic(&self) -> f64 {
+        let state = &self.state;
         let mut energy = 0.0;
-        for row in 0..self.state.rows {
-            for column in 0..self.state.columns {
-                let at = self.state.at(row, column);
-                let velocity = |end: usize| {
-                    let planes = &self.state.velocity[end];
-                    [planes[0][at].wide(), planes[1][at].wide(), planes[2][at].wide()]
-                };
-                let pair = row * self.state.columns + column;
-                energy += self.modes[pair].kinetic(velocity(0), velocity(1));
+        for row in 0..state.rows {
+            let (first, columns) = (state.at(row, 0), state.columns);
+            let planes = |end: usize| {
+                state.velocity[end].each_ref().map(|plane| &plane[first..first + columns])
+            };
+            let (bottom, top) = (planes(0), planes(1));
+            let modes = &self.modes[row * columns..(row + 1) * columns];
+            for (column, modes) in modes.iter().enumerate() {
+                let at = |planes: &[&[R]; 3]| planes.map(|plane| plane[column].wide());
+                energy += modes.kinetic(at(&bottom), at(&top));
             }
         }
         energy
     }
 
     fn energies(&self) -> Energies {
+        let (state, lattice) = (&self.state, &self.scene.lattice);
+        let alike = Role::ALL
+            .map(|role| bond_values(&self.scene, bond_number(0, role), role, self.unloading));
         let mut bonds = 0.0;
-        self.each_bond(|number, at, role| {
-            let (row, column) = {
-                let pair = bond_of(number).0;
-                (pair / self.state.columns, pair % self.state.columns)
-            };
-            let (from, to) = match role {
-                Role::Twist => (self.node(0, at), self.node(1, at)),
-                _ => match self.scene.lattice.upper(row, column, role) {
-                    Some((up, side)) => (self.node(1, at), self.node(0, self.state.at(up, side))),
-                    None => return,
-                },
-            };
-            let rest = self.scene.lattice.rest(role);
-            let d = [rest[0] + to[0] - from[0], rest[1] + to[1] - from[1], to[2] - from[2]];
-            let bond = bond_values(&self.scene, number, role, self.unloading);
-            let e = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() / bond.taut - 1.0;
-            let top = self.state.top[role as usize][at].wide().max(e);
-            bonds += bond.taut * curve(&self.scene, role).work(&bond.ramp, top, e);
-        });
+        for row in 0..state.rows {
+            for column in 0..state.columns {
+                let at = state.at(row, column);
+                let (bottom, top) = (self.node(0, at), self.node(1, at));
+                for role in Role::ALL {
+                    let (from, to) = if role == Role::Twist {
+                        (bottom, top)
+                    } else if let Some((up, side)) = lattice.upper(row, column, role) {
+                        (top, self.node(0, state.at(up, side)))
+                    } else {
+                        continue;
+                    };
+                    let curve = curve(&self.scene, role);
+                    let bond = if state.uniform {
+                        alike[role as usize]
+                    } else {
+                        // As the planes have it: a millionth from the scene's own values.
+                        let [per_length, slope] = &state.own[role as usize];
+                        let slope = slope[at].wide();
+                        let start = curve.strain[0] - curve.force[0] / slope;
+                        let unloading = self.unloading[usize::from(role == Role::Twist)].max(slope);
+                        let ramp = Ramp { start, slope, unloading };
+                        BondValues { taut: 1.0 / per_length[at].wide(), ramp }
+                    };
+                    let rest = lattice.rest(role);
+                    let d = [rest[0] + to[0] - from[0], rest[1] + to[1] - from[1], to[2] - from[2]];
+                    let e = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() / bond.taut - 1.0;
+                    let most = state.top[role as usize][at].wide().max(e);
+                    bonds += bond.taut * curve.work(&bond.ramp, most, e);
+                }
+            }
+        }
         let mut contact = 0.0;
-        for row in 0..self.state.rows {
-            for column in 0..self.state.columns {
+        for row in 0..state.rows {
+            for column in 0..state.columns {
+                if !state.near[(row * state.stride + column) / BLOCK] {
+                    continue; // Out of the dome's reach.
+                }
                 for end in 0..2 {
-                    let u = self.node(end, self.state.at(row, column));
+                    let u = self.node(end, state.at(row, column));
                     let p = [
-                        u[0] + self.state.across[row % 2][PAD + column].wide(),
-                        u[1] + self.state.along[row][end].wide(),
+                        u[0] + state.across[row % 2][PAD + column].wide(),
+                        u[1] + state.along[row][end].wide(),
                         u[2],
                     ];
                     let depth = self.scene.dome.depth(p, self.deflection).0.max(0.0);
@@ -311,16 +341,20 @@ impl<R: Kernel> Stepper for Fast<R> {
 
     fn shaking(&self) -> f64 {
         let state = &self.state;
-        let (mut most, rupture) = (R::default(), state.kinds[0].rupture);
+        let rupture = state.kinds[0].rupture;
         let (bottom, top) = (&state.velocity[0][1], &state.velocity[1][1]);
-        for ((b, t), reached) in bottom.iter().zip(top.iter()).zip(state.top[0].iter()) {
-            let (up, down) = if *t > *b { (*t, *b) } else { (*b, *t) };
-            let rate = R::new(up.wide() - down.wide());
-            if rate > most && *reached <= rupture {
-                most = rate;
+        // In eight lanes. Planes are a multiple of that, and what is missing is beyond rupture.
+        let mut most = [0.0_f64; 8];
+        let eights = bottom.chunks_exact(8).zip(top.chunks_exact(8));
+        for ((bottom, top), reached) in eights.zip(state.top[0].chunks_exact(8)) {
+            for k in 0..8 {
+                let apart = (top[k].wide() - bottom[k].wide()).abs();
+                let rate = if reached[k] <= rupture { apart } else { 0.0 };
+                most[k] = if rate > most[k] { rate } else { most[k] };
             }
         }
-        most.wide() / self.scene.lattice.twist_length() / rupture.wide()
+        let most = most.into_iter().fold(0.0, f64::max);
+        most / self.scene.lattice.twist_length() / rupture.wide()
     }
 
     fn damping_loss(&self) -> Option<f64> {

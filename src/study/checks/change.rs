@@ -154,8 +154,8 @@ mod tests {
         let apart = change(a, &cut, &base.question).unwrap();
         assert!(!apart.paired);
         let sum = a.force.error.hypot(b.force.error);
-        // The verdicts' own errors are rounded to five digits.
-        assert!((apart.force.error.unwrap() / sum - 1.0).abs() < 1e-4);
+        // Forces are rounded to five digits, and they spread over a thirtieth of themselves or more.
+        assert!((apart.force.error.unwrap() / sum - 1.0).abs() < 3e-3);
         let mut slipped = b.clone();
         slipped.curve.failure = None;
         assert_eq!(change(a, &slipped, &base.question), None);

@@ -1,0 +1,82 @@
+//! The help: made from the key map, the section of the screen it was asked on first. It lies over
+//! any screen and gives it back.
+
+use super::keymap::{self, Action, Context};
+use super::pages::{Page, PageLine, method};
+use super::{App, Mode};
+
+/// Where the help was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Topic {
+    /// On a screen with keys of its own.
+    Screen(Context),
+    /// While a line of text was typed.
+    Typing,
+}
+
+impl Topic {
+    /// What the help on a screen is about.
+    pub(super) fn of(mode: &Mode) -> Topic {
+        mode.context().map_or(Topic::Typing, Topic::Screen)
+    }
+}
+
+impl App {
+    /// Shows the help over the present screen, or closes it.
+    pub(super) fn toggle_help(&mut self) {
+        if let Mode::Help { .. } = self.mode {
+            self.mode = std::mem::replace(&mut self.under_help, Mode::Main);
+        } else {
+            let under = std::mem::replace(&mut self.mode, Mode::Help { scroll: 0 });
+            *self.under_help = under;
+        }
+    }
+}
+
+/// Columns of the keys.
+const KEYS: usize = 18;
+
+/// The help of a width, the section of a topic first.
+pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
+    let mut page = Page::new(width);
+    match topic {
+        Topic::Typing => typing(&mut page),
+        Topic::Screen(context) => keys(&mut page, context, true),
+    }
+    for context in Context::ALL.into_iter().filter(|c| Topic::Screen(*c) != topic) {
+        keys(&mut page, context, false);
+    }
+    if topic != Topic::Typing {
+        typing(&mut page);
+    }
+    page.heading("Commands");
+    for c in keymap::COMMANDS {
+        page.text(&format!("  :{:<w$} {}", c.form, c.help, w = KEYS - 1), KEYS + 3);
+    }
+    page.heading("Signs");
+    page.text("  ! beside a number: something to know about it; i says what", 2);
+    page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. o: mean first break of the check by simulation, with its curve in dashes and its 5 to 95 % band in dots; x in the plan: where the first wire of each run broke, and lines of equal height of the net at 20, 40, 60 and 80 % of its largest. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
+    page.heading("The method");
+    method(&mut page);
+    page.lines
+}
+
+/// The keys of a screen; unless all are wanted, without those that other screens like it share.
+fn keys(page: &mut Page, context: Context, all: bool) {
+    page.heading(context.heading());
+    // What holds on every screen is said once, with the main screen.
+    let everywhere = [Action::Redraw, Action::Suspend, Action::Help];
+    let said = |a| {
+        let shared = !all && keymap::shared(context, a);
+        shared || context != Context::Main && everywhere.contains(&a)
+    };
+    for b in keymap::of(context).filter(|b| !said(b.action)) {
+        let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
+        page.text(&format!("  {:<KEYS$} {}", keys.join(" "), b.help), KEYS + 3);
+    }
+}
+
+fn typing(page: &mut Page) {
+    page.heading("While typing");
+    page.text("  Enter takes the text, Esc or Ctrl+G drops it. A refused text stays, with the reason. Ctrl+A and Ctrl+E go to the ends, Ctrl+U clears. F1 shows this help.", 2);
+}

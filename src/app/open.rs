@@ -1,0 +1,218 @@
+//! Opening another project: the list with its text line, the question before edits would be lost,
+//! and the change to what was opened.
+
+use super::entry::{Entry, Target};
+use super::field::Field;
+use super::fuzzy;
+use super::history::History;
+use super::key::Key;
+use super::message::Effect;
+use super::{App, Mode};
+use crate::project::Project;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A project file that can be opened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Found {
+    /// The file.
+    pub path: PathBuf,
+    /// The file as the list shows it and as typed letters are matched.
+    pub shown: String,
+    /// Whether it was open before.
+    pub recent: bool,
+    /// Whether it is gone.
+    pub missing: bool,
+    /// Whether it is the one that is open.
+    pub current: bool,
+}
+
+/// A project that was opened in place of the former one.
+#[derive(Debug, Clone)]
+pub struct OpenedProject {
+    /// The project.
+    pub project: Arc<Project>,
+    /// Its file.
+    pub path: PathBuf,
+    /// What the user should know of it.
+    pub note: Option<String>,
+    /// Edits kept from a session of it that was cut off.
+    pub kept: Option<Arc<Project>>,
+}
+
+/// A project that could not be opened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OpenFailure {
+    /// What went wrong, by file, line and field; may have several lines.
+    pub message: String,
+}
+
+/// The screen that asks which project to open.
+#[derive(Debug, Clone)]
+pub struct Picker {
+    /// The letters typed.
+    pub entry: Entry,
+    /// What there is; nothing until it was found.
+    pub found: Vec<Found>,
+    /// The marked one, an index of [`Picker::matches`].
+    pub index: usize,
+    /// Why the last one could not be opened.
+    pub error: Option<String>,
+}
+
+impl Picker {
+    fn new(error: Option<String>) -> Picker {
+        let entry = Entry::new(Target::File, "");
+        Picker { entry, found: Vec::new(), index: 0, error }
+    }
+
+    /// What fits the letters typed, the best first; all, in their order, where nothing is typed.
+    pub fn matches(&self) -> Vec<&Found> {
+        let typed = self.entry.text();
+        let fits = self.found.iter().filter_map(|f| Some((fuzzy::score(typed, &f.shown)?, f)));
+        let mut fits: Vec<(i64, &Found)> = fits.collect();
+        if !typed.trim().is_empty() {
+            fits.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+        }
+        fits.into_iter().map(|(_, f)| f).collect()
+    }
+
+    /// Marks the first one worth it: not gone, and not the one that is open.
+    fn mark_first(&mut self) {
+        let matches = self.matches();
+        let open = |f: &&Found| !f.missing && !f.current;
+        let first = matches.iter().position(open);
+        self.index = first.or(matches.iter().position(|f| !f.missing)).unwrap_or(0);
+    }
+
+    /// Moves the mark; what is gone is passed over.
+    fn step(&mut self, lines: isize) {
+        let there: Vec<bool> = self.matches().iter().map(|f| !f.missing).collect();
+        let target = self.index.saturating_add_signed(lines).min(there.len().saturating_sub(1));
+        let mut ahead: Box<dyn Iterator<Item = usize>> =
+            if lines > 0 { Box::new(target..there.len()) } else { Box::new((0..=target).rev()) };
+        if let Some(next) = ahead.find(|i| there.get(*i) == Some(&true)) {
+            self.index = next;
+        }
+    }
+
+    /// A key that is part of the text.
+    pub(super) fn key(&mut self, key: Key) {
+        let before = self.entry.text().to_string();
+        self.entry.key(key);
+        if self.entry.text() != before {
+            self.error = None;
+            self.mark_first();
+        }
+    }
+
+    /// Pasted text.
+    pub(super) fn paste(&mut self, text: &str) {
+        self.entry.paste(text);
+        self.mark_first();
+    }
+}
+
+impl App {
+    /// Shows the list of projects and asks for them.
+    pub(super) fn show_picker(&mut self, error: Option<String>) -> Vec<Effect> {
+        self.mode = Mode::Open(Picker::new(error));
+        vec![Effect::ListProjects]
+    }
+
+    /// The projects were found.
+    pub(super) fn found_projects(&mut self, found: Vec<Found>) {
+        if let Mode::Open(picker) = &mut self.mode {
+            picker.found = found;
+            picker.mark_first();
+        }
+    }
+
+    /// Moves the mark of the list.
+    pub(super) fn step_picker(&mut self, lines: isize) {
+        if let Mode::Open(picker) = &mut self.mode {
+            picker.step(lines);
+        }
+    }
+
+    /// Enter in the list: the marked one, or where nothing fits the text as a path.
+    pub(super) fn take_project(&mut self) -> Vec<Effect> {
+        let Mode::Open(picker) = &self.mode else { return Vec::new() };
+        let typed = picker.entry.text().trim().to_string();
+        match picker.matches().get(picker.index) {
+            Some(found) if found.missing => {
+                let gone = format!("{} is gone", found.shown);
+                self.complain(gone);
+                Vec::new()
+            }
+            Some(found) => {
+                let path = found.path.clone();
+                self.ask_to_open(&path)
+            }
+            None if typed.is_empty() => Vec::new(),
+            None => self.ask_to_open(Path::new(&typed)),
+        }
+    }
+
+    /// Opens a project; unsaved edits are asked about first.
+    pub(super) fn ask_to_open(&mut self, path: &Path) -> Vec<Effect> {
+        let path = path.to_path_buf();
+        if self.edited() {
+            self.mode = Mode::ConfirmOpen { path };
+            return Vec::new();
+        }
+        vec![Effect::OpenProject { path }]
+    }
+
+    /// The question was answered: save first.
+    pub(super) fn save_and_open(&mut self) -> Vec<Effect> {
+        match std::mem::replace(&mut self.mode, Mode::Main) {
+            Mode::ConfirmOpen { path } => {
+                self.open_after_save = Some(path);
+                vec![self.save_effect(None, false)]
+            }
+            other => {
+                self.mode = other;
+                Vec::new()
+            }
+        }
+    }
+
+    /// A project was opened, or could not be: then all stays, with the reason.
+    pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Effect> {
+        match result {
+            Ok(opened) => {
+                let stop = self.forget_work();
+                self.adopt(opened);
+                stop.into_iter().collect()
+            }
+            Err(failure) => match &mut self.mode {
+                Mode::Open(picker) => {
+                    picker.error = Some(failure.message);
+                    Vec::new()
+                }
+                _ => self.show_picker(Some(failure.message)),
+            },
+        }
+    }
+
+    /// Goes on with another project; nothing of the former one is left.
+    fn adopt(&mut self, opened: OpenedProject) {
+        let name = opened.path.display().to_string();
+        self.saved = opened.project.clone();
+        self.project = opened.project;
+        self.path = Some(opened.path);
+        self.history = History::default();
+        self.selected = 0;
+        self.field = Field::Plate;
+        self.units = self.settings.units;
+        self.quit_after_save = false;
+        self.open_after_save = None;
+        self.mode = match opened.kept {
+            Some(kept) => Mode::ConfirmRecovery { kept },
+            None => Mode::Main,
+        };
+        self.inform(opened.note.unwrap_or_else(|| format!("opened {name}")));
+        self.derive();
+    }
+}

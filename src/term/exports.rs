@@ -1,0 +1,88 @@
+//! Writing reports, charts and tables beside a project.
+
+use crate::app::message::Exported;
+use crate::export::{Kind, Source};
+use crate::project::{Document, Overwrite, Project, SaveError, write_file};
+use crate::units::LengthUnit;
+use std::path::{Path, PathBuf};
+
+/// What is to be written.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<'a> {
+    /// What it is.
+    pub kind: Kind,
+    /// Of this project.
+    pub project: &'a Project,
+    /// Whether the project has edits that are not in its file.
+    pub edited: bool,
+    /// The layout selected, an index.
+    pub layout: usize,
+    /// Unit of lengths.
+    pub unit: LengthUnit,
+    /// Where to; beside the project under a free name where nothing is said.
+    pub path: Option<&'a Path>,
+    /// Whether to replace a file that is there.
+    pub overwrite: bool,
+}
+
+/// Names that are tried before giving up.
+const MOST_NAMES: usize = 1000;
+
+/// Writes it.
+///
+/// # Errors
+/// Why it was not, for people.
+pub(super) fn write(document: &Document, wanted: Wanted<'_>) -> Result<Exported, String> {
+    let title = document.title();
+    let source = Source {
+        file_name: if document.path().is_some() { &title } else { "" },
+        text: document.on_disk(),
+        edited: wanted.edited,
+    };
+    let text = wanted
+        .kind
+        .text(wanted.project, wanted.layout, source, wanted.unit)
+        .map_err(|found| found.iter().map(|p| p.to_string()).collect::<Vec<_>>().join("; "))?;
+    let note = wanted.edited.then(|| "edits are not saved yet".to_string());
+    if let Some(path) = wanted.path {
+        if same_file(document.path(), path) {
+            return Err("that is the project itself, which is never overwritten".into());
+        }
+        let overwrite = if wanted.overwrite { Overwrite::Yes } else { Overwrite::No };
+        return match write_file(path, &text, overwrite) {
+            Ok(()) => Ok(Exported { path: path.to_path_buf(), note }),
+            Err(SaveError::Exists(path)) => {
+                Err(format!("{} exists; :export! replaces it", path.display()))
+            }
+            Err(other) => Err(other.to_string()),
+        };
+    }
+    let folder = document.path().and_then(Path::parent).map_or(PathBuf::new(), Path::to_path_buf);
+    let stem = document
+        .path()
+        .and_then(Path::file_stem)
+        .map_or("meshcast".into(), |s| s.to_string_lossy());
+    let layout = wanted.project.layouts.get(wanted.layout).map_or("", |l| l.name.as_str());
+    for nth in 1..=MOST_NAMES {
+        let path = folder.join(wanted.kind.file_name(&stem, layout, nth));
+        match write_file(&path, &text, Overwrite::No) {
+            Ok(()) => return Ok(Exported { path, note }),
+            Err(SaveError::Exists(_)) => {}
+            Err(other) => return Err(other.to_string()),
+        }
+    }
+    Err(format!(
+        "there are {MOST_NAMES} files of that name already; :export KIND PATH takes another"
+    ))
+}
+
+fn same_file(project: Option<&Path>, path: &Path) -> bool {
+    match (project.map(Path::canonicalize), path.canonicalize()) {
+        (Some(Ok(a)), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+#[path = "exports_tests.rs"]
+mod tests;

@@ -1,0 +1,417 @@
+//! The screens around the work, by key script: settings, opening another project.
+
+use crate::harness::*;
+use meshcast::app::message::{Effect, Message};
+use meshcast::app::open::{Found, OpenFailure, OpenedProject};
+use meshcast::app::settings::{Item, Preferences};
+use meshcast::app::{App, Level, Mode, Start};
+use meshcast::dem::Fidelity;
+use meshcast::project::schema::Project;
+use meshcast::units::LengthUnit;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+fn app() -> App {
+    start(road_cut(), (80, 24), MONO)
+}
+
+fn with(preferences: Preferences) -> App {
+    App::new(Start {
+        project: Arc::new(road_cut()),
+        path: Some(PathBuf::from("/site/road-cut.ron")),
+        note: None,
+        kept: None,
+        look: preferences.look(&preferences.effective()),
+        units: preferences.effective().units,
+        size: (80, 24),
+        preferences,
+    })
+}
+
+fn snapshot(name: &str, app: &App) {
+    insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+        insta::assert_snapshot!(name, styled(app));
+    });
+}
+
+#[test]
+fn settings_hold_at_once_and_are_kept() {
+    let mut app = app();
+    let effects = press(&mut app, ":set fidelity quick<Enter>");
+    assert!(
+        matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.fidelity == Fidelity::Quick)
+    );
+    assert_eq!(app.settings().fidelity, Fidelity::Quick);
+    press(&mut app, ":set units mm<Enter>");
+    assert_eq!(app.units(), LengthUnit::Millimetre);
+    press(&mut app, ":set runs=12<Enter>:set live on<Enter>:set glyphs ascii<Enter>");
+    assert_eq!(app.settings().runs, Some(12));
+    assert!(app.settings().live);
+    assert!(text(&app).is_ascii());
+    assert!(!app.edited());
+    press(&mut app, ":set runs 0<Enter>");
+    assert!(text(&app).contains("runs: auto or 1 to 10000"), "{}", text(&app));
+    press(&mut app, "<Esc>:set colours none<Enter>");
+    assert!(text(&app).contains("settings: units, glyphs, color, fidelity"), "{}", text(&app));
+}
+
+#[test]
+fn the_screen_of_settings() {
+    let preferences = Preferences {
+        flags: vec![(Item::Fidelity, "fine".into())],
+        file: Some("/home/anna/.config/meshcast/settings.ron".into()),
+        auto: MONO,
+        ..Preferences::default()
+    };
+    let mut app = with(preferences);
+    assert_eq!(app.settings().fidelity, Fidelity::Fine);
+    press(&mut app, ":set<Enter><Right><Down><Down><Down>");
+    snapshot("settings", &app);
+    // The arrow goes on from what the flag says; the flag is gone then.
+    let effects = press(&mut app, "<Left>");
+    assert!(
+        matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.fidelity == Fidelity::Standard)
+    );
+    assert!(!app.preferences().is_flag(Item::Fidelity));
+    press(&mut app, "jj<Right>q");
+    assert!(app.settings().live);
+    assert!(matches!(app.mode(), Mode::Main));
+}
+
+#[test]
+fn a_flag_is_never_kept() {
+    let flags = vec![(Item::Units, "mm".into()), (Item::Runs, "3".into())];
+    let mut app = with(Preferences { flags, ..Preferences::default() });
+    assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
+    let effects = press(&mut app, ":set live on<Enter>");
+    let [Effect::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
+    assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
+    assert_eq!(app.settings().runs, Some(3));
+}
+
+#[test]
+fn a_bad_file_of_settings_is_told_in_full() {
+    let trouble = "/home/anna/.config/meshcast/settings.ron cannot be opened\n  line 5, column 15: \
+                   fidelity = fast\n    this word is not known here\n    allowed: quick, standard, \
+                   fine";
+    let preferences = Preferences {
+        file: Some("/home/anna/.config/meshcast/settings.ron".into()),
+        trouble: Some(trouble.into()),
+        auto: MONO,
+        ..Preferences::default()
+    };
+    let mut app = App::new(Start {
+        project: Arc::new(road_cut()),
+        path: None,
+        note: Some("settings.ron line 5, fidelity: fast is none of ...".into()),
+        kept: None,
+        look: MONO,
+        units: None,
+        size: (80, 24),
+        preferences,
+    });
+    assert_eq!(app.status().unwrap().level, Level::Error);
+    press(&mut app, ":set<Enter>");
+    snapshot("settings_trouble", &app);
+    app.update(Message::SettingsKept(Ok(Some("settings kept; the file ...".into()))));
+    assert!(text(&app).contains("settings kept"));
+    app.update(Message::SettingsKept(Err("no room".into())));
+    assert!(text(&app).contains("! no room"));
+}
+
+fn found(shown: &str, recent: bool, missing: bool, current: bool) -> Found {
+    let path = PathBuf::from("/site").join(shown);
+    Found { path, shown: shown.into(), recent, missing, current }
+}
+
+/// The list of projects, open, with its answer.
+fn with_list(app: &mut App) {
+    assert!(matches!(press(app, "O")[..], [Effect::ListProjects]));
+    app.update(Message::Projects(vec![
+        found("road-cut.ron", true, false, true),
+        found("old/gone.ron", true, true, false),
+        found("~/slopes/portal-east.ron", true, false, false),
+        found("north/north-side.ron", false, false, false),
+        found("north/minor-works.ron", false, false, false),
+    ]));
+}
+
+fn opens(effects: &[Effect]) -> &Path {
+    let [Effect::OpenProject { path }] = effects else { panic!("{effects:?}") };
+    path
+}
+
+fn other() -> OpenedProject {
+    OpenedProject {
+        project: Arc::new(Project::starter("North side")),
+        path: "/site/north/north-side.ron".into(),
+        note: None,
+        kept: None,
+    }
+}
+
+#[test]
+fn projects_are_found_by_letters_and_opened() {
+    let mut app = app();
+    with_list(&mut app);
+    snapshot("open_list", &app);
+    // The open one is not offered first; what is gone is passed over on the way up.
+    assert!(opens(&press(&mut app, "<Enter>")).ends_with("portal-east.ron"));
+    press(&mut app, "<Up>");
+    assert!(opens(&press(&mut app, "<Enter>")).ends_with("road-cut.ron"));
+    press(&mut app, "nor");
+    snapshot("open_filtered", &app);
+    assert!(opens(&press(&mut app, "<Enter>")).ends_with("north-side.ron"));
+    app.update(Message::Opened(Ok(other())));
+    assert!(matches!(app.mode(), Mode::Main));
+    assert_eq!(app.project().name, "North side");
+    assert_eq!(app.path().unwrap(), Path::new("/site/north/north-side.ron"));
+    assert!(!app.edited());
+    assert_eq!((app.history().undo_depth(), app.selected()), (0, 0));
+    assert!(text(&app).contains("opened /site/north/north-side.ron"));
+}
+
+#[test]
+fn nothing_of_the_former_project_is_left() {
+    let mut app = app();
+    press(&mut app, "<Tab><Down><Right><Right>");
+    assert!(app.edited());
+    // A path by command; the edits are asked about.
+    assert!(press(&mut app, ":open north.ron<Enter>").is_empty());
+    snapshot("confirm_open", &app);
+    press(&mut app, "<Esc>");
+    assert!(app.edited());
+    press(&mut app, ":e north.ron<Enter>");
+    assert_eq!(opens(&press(&mut app, "d")), Path::new("north.ron"));
+    app.update(Message::Opened(Ok(other())));
+    assert!(!app.edited());
+    assert!(app.unsaved().is_none());
+    press(&mut app, "u");
+    assert!(text(&app).contains("nothing to undo"));
+    assert_eq!(app.project().name, "North side");
+}
+
+#[test]
+fn saving_first_and_then_opening() {
+    let mut app = app();
+    press(&mut app, "<Right>:open north.ron<Enter>");
+    let effects = press(&mut app, "s");
+    let [Effect::Save { project, path: None, overwrite: false }] = &effects[..] else {
+        panic!("{effects:?}")
+    };
+    let saved = meshcast::app::message::Saved {
+        project: project.clone(),
+        path: "/site/road-cut.ron".into(),
+        note: None,
+    };
+    let effects = app.update(Message::Saved(Ok(saved)));
+    assert_eq!(opens(&effects), Path::new("north.ron"));
+    // A file that changed on disk is asked about in between; the answer goes on, or ends it.
+    for (answer, goes_on) in [("o", true), ("<Esc><C-s>", false)] {
+        let mut app = self::app();
+        press(&mut app, "<Right>:open north.ron<Enter>s");
+        let failure = meshcast::app::message::SaveFailure {
+            message: "changed by something else".into(),
+            overwrite_helps: true,
+            path: None,
+        };
+        app.update(Message::Saved(Err(failure)));
+        let effects = press(&mut app, answer);
+        let [Effect::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
+        let saved = meshcast::app::message::Saved {
+            project: project.clone(),
+            path: "/site/road-cut.ron".into(),
+            note: None,
+        };
+        let effects = app.update(Message::Saved(Ok(saved)));
+        assert_eq!(matches!(effects[..], [Effect::OpenProject { .. }]), goes_on, "{answer}");
+    }
+    // A save that fails opens nothing, then and later.
+    let mut app = self::app();
+    press(&mut app, "<Right>:open north.ron<Enter>s");
+    let failure = meshcast::app::message::SaveFailure {
+        message: "the disk is full".into(),
+        overwrite_helps: false,
+        path: None,
+    };
+    assert!(app.update(Message::Saved(Err(failure))).is_empty());
+    assert!(text(&app).contains("! the disk is full"));
+    let effects = press(&mut app, "<C-s>");
+    let [Effect::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
+    let saved = meshcast::app::message::Saved {
+        project: project.clone(),
+        path: "/site/road-cut.ron".into(),
+        note: None,
+    };
+    assert!(app.update(Message::Saved(Ok(saved))).is_empty());
+}
+
+#[test]
+fn a_project_that_cannot_be_opened_leaves_the_present_one() {
+    let mut app = app();
+    press(&mut app, "<Right>");
+    with_list(&mut app);
+    press(&mut app, "nor<Enter>d");
+    let message = "north/north-side.ron cannot be opened\n  line 7, column 34: layouts[1].L = 2,5 \
+                   (layout \"gully\")\n    a decimal point is expected, not a comma\n    allowed: \
+                   above 0, below 100 m"
+        .to_string();
+    let effects = app.update(Message::Opened(Err(OpenFailure { message })));
+    assert!(matches!(effects[..], [Effect::ListProjects]));
+    app.update(Message::Projects(vec![found("north/minor-works.ron", false, false, false)]));
+    snapshot("open_failed", &app);
+    press(&mut app, "<Esc>");
+    assert!(app.edited());
+    assert_eq!(app.project().name, "Road cut");
+}
+
+#[test]
+fn text_that_fits_nothing_is_a_path() {
+    let mut app = app();
+    with_list(&mut app);
+    app.update(Message::Paste("/far/away site.ron\n".into()));
+    assert!(text(&app).contains("Enter takes the text as a path"), "{}", text(&app));
+    assert_eq!(opens(&press(&mut app, "<Enter>")), Path::new("/far/away site.ron"));
+    // Letters are letters there, q too; Ctrl+G leaves.
+    press(&mut app, "<C-u>q<C-g>");
+    assert!(matches!(app.mode(), Mode::Main));
+    // Without anything to open, Enter does nothing.
+    press(&mut app, "O");
+    app.update(Message::Projects(Vec::new()));
+    assert!(press(&mut app, "<Enter>").is_empty());
+}
+
+#[test]
+fn edits_kept_of_the_opened_project_are_offered() {
+    let mut app = app();
+    press(&mut app, ":open north.ron<Enter>");
+    let kept = Some(Arc::new(Project::starter("North side, mended")));
+    app.update(Message::Opened(Ok(OpenedProject { kept, ..other() })));
+    assert!(text(&app).contains("was cut off"));
+    press(&mut app, "r");
+    assert_eq!(app.project().name, "North side, mended");
+    assert!(app.edited());
+}
+
+#[test]
+fn help_lies_over_every_screen_and_gives_it_back() {
+    for (screen, first) in [
+        ("", "Main screen"),
+        ("i", "Help and details"),
+        ("m", "Mesh list"),
+        ("<Right>q", "Unsaved edits"),
+        (":set<Enter><Down>", "Settings"),
+        ("O", "List of projects"),
+        ("<Right>:open x.ron<Enter>", "Unsaved edits before opening"),
+        (":tour<Enter><Right>", "Tour"),
+        ("r<C-u>new name", "While typing"),
+    ] {
+        let mut app = app();
+        press(&mut app, screen);
+        let before = text(&app);
+        let help = if first == "While typing" { "<F1>" } else { "?" };
+        for back in ["q", "<Esc>", "?", "<F1>"] {
+            press(&mut app, help);
+            let shown = text(&app);
+            assert!(shown.lines().nth(2).unwrap().trim() == first, "{screen}: {shown}");
+            press(&mut app, "<Down> ");
+            press(&mut app, back);
+            assert_eq!(text(&app), before, "{screen} {back}");
+        }
+    }
+    let mut app = app();
+    press(&mut app, ":set<Enter>?");
+    snapshot("help_on_settings", &app);
+}
+
+#[test]
+fn the_answer_the_table_and_the_page_are_copied() {
+    let mut app = app();
+    let copied = |effects: Vec<Effect>| {
+        let [Effect::Copy { text }] = &effects[..] else { panic!("{effects:?}") };
+        text.clone()
+    };
+    press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
+    // Table 1, test 1: 22.8 kN; 20 / 22.8 is 88 %.
+    let line = copied(press(&mut app, "y"));
+    assert!(line.starts_with("bench 2: F_a 22.8 kN, delta_a 0."), "{line}");
+    assert!(line.contains("use 88 % at 20.0 kN"), "{line}");
+    assert!(line.contains("d 0.25 m, L 2.5"), "{line}");
+    assert!(line.ends_with("mesh dt-8x10-2.7") && !line.contains('\n'), "{line}");
+    assert!(text(&app).contains("copied, if the terminal takes OSC 52"));
+
+    press(&mut app, "r<C-u>a\tb<Enter>");
+    let table = copied(press(&mut app, "Y"));
+    let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split('\t').collect()).collect();
+    assert_eq!(rows.len(), 6);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{table}");
+    let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
+    assert_eq!(rows[1][column("d_m")], "0.25");
+    assert!(rows[1][column("F_kN")].starts_with("22.8"), "{table}");
+    assert_eq!(rows[1][column("design_F_kN")], "20.000");
+    assert_eq!(rows[2][column("design_F_kN")], "");
+
+    let page = copied(press(&mut app, "iY"));
+    assert!(page.contains("Laboratory to field") && page.contains("Curve (Eq. 3)"), "{page}");
+    assert!(matches!(app.mode(), Mode::Details { .. }));
+}
+
+#[test]
+fn the_tour_is_shown_once_in_at_most_five_screens() {
+    let first_run = || with(Preferences { tour: true, auto: MONO, ..Preferences::default() });
+    let count = meshcast::app::tour::stops().len();
+    let mut app = first_run();
+    for stop in 1..=count {
+        assert!(text(&app).contains(&format!("{stop} of {count}")), "{}", text(&app));
+        snapshot(&format!("tour_{stop}"), &app);
+        if stop < count {
+            assert!(press(&mut app, ["<Enter>", " ", "<Right>"][stop % 3]).is_empty());
+        }
+    }
+    press(&mut app, "<Left><Right>");
+    let effects = press(&mut app, "<Enter>");
+    assert!(matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.tour_seen));
+    assert!(matches!(app.mode(), Mode::Main));
+    // Shown again when asked for; seen once is seen.
+    press(&mut app, ":tour<Enter>");
+    assert!(text(&app).contains(&format!("1 of {count}")));
+    assert!(press(&mut app, "q").is_empty());
+    // It can be left at once, and keys of the main screen do nothing below it.
+    for end in ["q", "<Esc>"] {
+        let mut app = first_run();
+        press(&mut app, "ax<Down>");
+        assert_eq!(app.project().layouts.len(), 5);
+        assert!(matches!(press(&mut app, end)[..], [Effect::KeepSettings { .. }]));
+        assert!(matches!(app.mode(), Mode::Main));
+    }
+}
+
+#[test]
+fn the_tour_can_be_read_on_the_smallest_screen() {
+    for (width, height) in [(40, 12), (64, 18), (80, 24), (200, 60)] {
+        let mut app = app();
+        app.update(Message::Resize { width, height });
+        press(&mut app, ":tour<Enter>");
+        for stop in meshcast::app::tour::stops() {
+            let shown = text(&app);
+            let last = stop.lines.last().unwrap().split_whitespace().last().unwrap();
+            assert!(shown.contains(last), "{width}x{height}, {}: {shown}", stop.title);
+            press(&mut app, "<Right>");
+        }
+    }
+}
+
+#[test]
+fn a_check_of_the_former_project_ends_when_another_is_opened() {
+    let mut app = app();
+    assert!(matches!(press(&mut app, "c")[..], [Effect::Work(_)]));
+    press(&mut app, ":open north.ron<Enter>");
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+    assert!(app.running().is_none());
+    // Live mode switched off in the settings ends what it runs, too.
+    let effects = press(&mut app, "l");
+    assert!(effects.iter().any(|e| matches!(e, Effect::Work(_))), "{effects:?}");
+    let effects = press(&mut app, ":set live off<Enter>");
+    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+}
