@@ -265,7 +265,9 @@ impl App {
     /// Another project takes the place of this one: what runs ends, and no result is left. Numbers of
     /// orders go on, so that late news of the former project find nobody.
     pub(super) fn forget_work(&mut self) -> Option<Effect> {
-        let busy = self.work.running.is_some() || self.work.live_order.is_some();
+        let campaign = self.campaign().is_some();
+        let busy = campaign || self.work.running.is_some() || self.work.live_order.is_some();
+        self.drop_campaign();
         self.work = Work { orders: self.work.orders, ..Work::default() };
         busy.then_some(Effect::StopWork)
     }

@@ -41,10 +41,10 @@ pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
     let mut page = Page::new(width);
     match topic {
         Topic::Typing => typing(&mut page),
-        Topic::Screen(context) => keys(&mut page, context),
+        Topic::Screen(context) => keys(&mut page, context, true),
     }
     for context in Context::ALL.into_iter().filter(|c| Topic::Screen(*c) != topic) {
-        keys(&mut page, context);
+        keys(&mut page, context, false);
     }
     if topic != Topic::Typing {
         typing(&mut page);
@@ -61,11 +61,15 @@ pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
     page.lines
 }
 
-fn keys(page: &mut Page, context: Context) {
+/// The keys of a screen; unless all are wanted, without those that other screens like it share.
+fn keys(page: &mut Page, context: Context, all: bool) {
     page.heading(context.heading());
     // What holds on every screen is said once, with the main screen.
     let everywhere = [Action::Redraw, Action::Suspend, Action::Help];
-    let said = |a| context != Context::Main && everywhere.contains(&a);
+    let said = |a| {
+        let shared = !all && keymap::shared(context, a);
+        shared || context != Context::Main && everywhere.contains(&a)
+    };
     for b in keymap::of(context).filter(|b| !said(b.action)) {
         let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
         page.text(&format!("  {:<KEYS$} {}", keys.join(" "), b.help), KEYS + 3);

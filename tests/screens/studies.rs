@@ -68,7 +68,9 @@ fn said(app: &App) -> String {
 
 #[test]
 fn a_page_opens_closes_and_keeps_its_place_under_the_help() {
-    for (key, word) in [("s", "sensitivity of"), ("v", "compare")] {
+    for (key, word) in
+        [("s", "sensitivity of"), ("w", "sweep of"), ("v", "compare"), ("g", "design of")]
+    {
         let mut app = app((80, 24));
         let main = text(&app);
         press(&mut app, key);
@@ -246,17 +248,181 @@ fn the_checks_of_a_comparison_are_those_of_the_project() {
 }
 
 #[test]
+fn a_sweep_is_a_line_at_once_and_points_come_one_by_one() {
+    let mut app = app((80, 24));
+    press(&mut app, "w");
+    let view = app.sweep().unwrap();
+    let axis = view.axes[0];
+    assert_eq!((axis.input.word(), axis.from, axis.to, axis.steps), ("L", 1.25, 4.5, 9));
+    // Its range is chosen by arrows and by typing, with units.
+    press(
+        &mut app,
+        "<Down>1200mm<Enter><Down>1.4<Enter><Down><Left><Left><Left><Left><Left><Left>",
+    );
+    let axis = app.sweep().unwrap().axes[0];
+    assert_eq!((axis.from, axis.to, axis.steps), (1.2, 1.4, 3));
+    let order = order(press(&mut app, "c"));
+    let dem = |app: &App| -> Vec<bool> {
+        app.sweep().unwrap().figures.iter().map(Option::is_some).collect()
+    };
+    for (k, news) in
+        news(&order).into_iter().filter(|n| matches!(n.what, What::Case { .. })).enumerate()
+    {
+        app.update(Message::Work(news));
+        assert_eq!(dem(&app).iter().filter(|d| **d).count(), k + 1);
+    }
+    app.update(Message::Work(News {
+        number: order.number,
+        what: What::Ended { cancelled: false },
+    }));
+    // Other points, none of them checked; what was checked is known where it comes up again.
+    press(&mut app, "<Right><Right>");
+    assert_eq!(dem(&app), [true, false, true, false, true]);
+    press(&mut app, "<Left><Left>");
+    assert_eq!(dem(&app), [true; 3]);
+    // The marked point is taken into the layout, which undo takes back.
+    press(&mut app, &"<lt>".repeat(9));
+    press(&mut app, ">a");
+    assert_eq!(app.layout().spacing, 1.3, "it was 1.3 before");
+    assert!(said(&app).contains("is like that already"));
+    press(&mut app, ">a");
+    assert_eq!(app.layout().spacing, 1.4);
+    assert_eq!(dem(&app), [true; 3], "the swept input itself is no other input");
+    press(&mut app, "u");
+    assert_eq!(app.layout().spacing, 1.3);
+    // Another input of the layout makes all of it stale.
+    press(&mut app, "q<Right>w");
+    assert!(app.sweep().unwrap().coverage.stale);
+    assert!(text(&app).contains("stale"), "{}", text(&app));
+}
+
+#[test]
+fn a_second_input_makes_a_map() {
+    let mut app = app((80, 24));
+    press(&mut app, "w2");
+    let view = app.sweep().unwrap();
+    assert_eq!((view.axes.len(), view.points.len(), view.axes[1].input.word()), (2, 45, "D"));
+    assert!(text(&app).contains("F_a kN:"), "{}", text(&app));
+    // The other axis never takes the same input.
+    for _ in 0..7 {
+        press(&mut app, "<Right>");
+        let axes = &app.sweep().unwrap().axes;
+        assert_ne!(axes[0].input, axes[1].input);
+    }
+    // Laboratory values have a forecast and no check.
+    while app.sweep().unwrap().axes[1].input.word() != "Fl" {
+        press(&mut app, "<Right>");
+    }
+    assert!(app.sweep().unwrap().points.iter().any(Result::is_ok));
+    assert_eq!(work(&mut app, "c"), 0);
+    assert!(said(&app).contains("not from the laboratory values"), "{}", said(&app));
+    press(&mut app, "m");
+    assert_eq!(app.sweep().unwrap().axes.len(), 1);
+    // A digit on a range is a value and no map.
+    press(&mut app, "<Down>2<Enter>");
+    let view = app.sweep().unwrap();
+    assert_eq!((view.axes.len(), view.axes[0].from), (1, 2.0));
+    // An empty range is refused where it is typed.
+    press(&mut app, "<Down>2<Enter>");
+    assert!(text(&app).contains("the range is empty"), "{}", text(&app));
+    press(&mut app, "<Esc>");
+    assert_eq!(app.sweep().unwrap().axes[0].to, 4.5);
+}
+
+#[test]
+fn the_spacing_that_just_meets_the_design_force_is_taken() {
+    let mut app = start(road_cut(), (80, 24), COLOR);
+    press(&mut app, "g");
+    assert!(text(&app).contains("No design value is set"), "{}", text(&app));
+    // bench 2: 22.8 kN at L = 2.5 m; 23 kN needs a little more spacing.
+    press(&mut app, "23<Enter>");
+    assert_eq!(app.layout().design_force, Some(23_000.0));
+    let view = app.design().unwrap();
+    let at = view.lines.iter().position(|l| l.input.word() == "L").unwrap();
+    for _ in 0..at {
+        press(&mut app, "<Down>");
+    }
+    press(&mut app, "<Enter>");
+    let spacing = app.layout().spacing;
+    assert!(spacing > 2.5 && spacing < 2.7, "{spacing}");
+    let used = app.result().design.unwrap().at_force.unwrap().utilisation;
+    assert!(used <= 1.0 && used > 0.999, "{used}");
+    assert!(app.page_open().is_some(), "the page stays, to see what it gives");
+    press(&mut app, "u");
+    assert_eq!(app.layout().spacing, 2.5);
+    // Factors act, a deflection is asked for too, and the arrows choose which of them.
+    press(&mut app, "L<C-u>1.2<Enter>R<C-u>1.1<Enter>D0.4<Enter>");
+    let view = app.design().unwrap();
+    assert_eq!((view.case.question.gamma_load, view.case.question.gamma_resistance), (1.2, 1.1));
+    assert_eq!(view.asked.len(), 3);
+    assert_eq!(view.requirement.unwrap().word(), "both");
+    press(&mut app, "<Left>");
+    assert_eq!(app.design().unwrap().requirement.unwrap().word(), "deflection");
+    assert!(text(&app).contains("gL 1.2") && text(&app).contains("gR 1.1"), "{}", text(&app));
+    press(&mut app, "F<C-u><Enter>D<C-u><Enter>");
+    assert!(app.design().unwrap().asked.is_empty());
+}
+
+#[test]
+fn solved_values_are_checked_too() {
+    let mut app = app((80, 24));
+    press(&mut app, "g");
+    let takes = app.design().unwrap().coverage.of;
+    assert!(takes > 1);
+    assert_eq!(work(&mut app, "c"), takes);
+    let view = app.design().unwrap();
+    assert_eq!((view.coverage.have, view.coverage.stale), (takes, false));
+    assert!(view.own.is_some());
+    assert!(text(&app).contains("DEM"), "{}", text(&app));
+    press(&mut app, "q<Down><Down><Right>g");
+    assert!(app.design().unwrap().coverage.stale);
+}
+
+#[test]
+fn pages_are_drawn_at_every_size_and_for_every_layout() {
+    for size in [(40, 12), (41, 13), (59, 17), (79, 23), (80, 24), (100, 30), (120, 40), (200, 60)]
+    {
+        for look in [COLOR, MONO, ASCII] {
+            let mut app = start(small(), size, look);
+            for page in ["s", "w", "wm", "v", "g", "g9<Enter>D0.2<Enter>"] {
+                for _ in 0..3 {
+                    press(&mut app, page);
+                    let shown = text(&app);
+                    assert!(shown.lines().count() == usize::from(size.1), "{page}: {shown}");
+                    press(&mut app, "e>><Right><Down>tq<Tab>");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn screens_of_studies() {
     let sizes = [("80x24", (80, 24)), ("120x40", (120, 40)), ("40x12", (40, 12))];
     for (word, size) in sizes {
-        for (page, script) in [("sensitivity", "sc"), ("compare", "vc<Down>")] {
+        for (page, script) in [
+            ("sensitivity", "sc"),
+            ("compare", "vc"),
+            ("sweep", "w<Down>1.2<Enter><Down>1.6<Enter>c"),
+            (
+                "map",
+                "w<Down>1.3<Enter><Down>1.5<Enter><Down>3<Enter>m<Down>0.3<Enter><Down>0.5<Enter>c",
+            ),
+            ("design", "gc"),
+        ] {
             let mut app = app(size);
             work(&mut app, script);
             press(&mut app, "<Down><Up>");
             insta::assert_snapshot!(format!("{page}_{word}"), styled(&app));
         }
     }
-    for (page, script) in [("sensitivity", "s"), ("compare", "v")] {
+    for (page, script) in [
+        ("sensitivity", "s"),
+        ("compare", "v"),
+        ("sweep", "w"),
+        ("map", "w2"),
+        ("design", "g25<Enter>D0.5<Enter>"),
+    ] {
         let mut app = start(road_cut(), (80, 24), ASCII);
         press(&mut app, script);
         insta::assert_snapshot!(format!("{page}_80x24_ascii"), text(&app));

@@ -201,7 +201,7 @@ impl Context {
             Context::ConfirmOpen => "Unsaved edits before opening",
             Context::Tour => "Tour",
             Context::Export => "What to write",
-            Context::Sensitivity => "Sensitivity",
+            Context::Sensitivity => "Sensitivity; the keys from q on hold on all pages of studies",
             Context::Sweep => "Sweep",
             Context::Compare => "Compare",
             Context::Design => "Design",
@@ -232,6 +232,13 @@ pub fn action(context: Context, key: Key) -> Option<Action> {
 /// The bindings of a screen, in order.
 pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
     all().filter(move |b| b.context == context)
+}
+
+/// Whether a page of a study has an action from the keys that hold on all of them, which the help
+/// lists with the first one.
+pub fn shared(context: Context, action: Action) -> bool {
+    matches!(context, Context::Sweep | Context::Compare | Context::Design)
+        && studies::EVERYWHERE.iter().any(|e| e.0 == action)
 }
 
 /// The bindings of all screens.

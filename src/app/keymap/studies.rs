@@ -202,13 +202,13 @@ pub(super) const BINDINGS: &[Binding] = &[
 ];
 
 /// A binding of no page yet: what it does, its keys, its help and its hint.
-type Bare = (A, &'static [Key], &'static str, Option<&'static str>);
+pub(super) type Bare = (A, &'static [Key], &'static str, Option<&'static str>);
 
 /// Number of the keys that hold on every page.
-const SHARED: usize = 13;
+pub(super) const SHARED: usize = 13;
 
-/// Keys that hold on every page.
-const EVERYWHERE: [Bare; SHARED] = [
+/// Keys that hold on every page, those for the hint bar first.
+pub(super) const EVERYWHERE: [Bare; SHARED] = [
     (A::Help, &[c('?'), p(Code::F(1))], "this help", Some("help")),
     (A::Close, &[c('q'), Key::ctrl('c')], "back", Some("back")),
     (

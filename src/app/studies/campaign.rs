@@ -24,18 +24,27 @@ pub struct Campaigns {
     answers: HashMap<Fingerprint, Arc<Answer>>,
     order: VecDeque<Fingerprint>,
     running: Option<Running>,
-    /// What was checked last, by page and layout: the fingerprint of all cases.
-    last: HashMap<(Page, u64), Fingerprint>,
+    /// What was checked last, by what it was asked for: the fingerprint of all cases.
+    last: HashMap<Purpose, Fingerprint>,
+}
+
+/// What cases are for: other inputs make the checks of the same purpose stale.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Purpose {
+    /// The page.
+    pub page: Page,
+    /// The layout, by its uid.
+    pub uid: u64,
+    /// What the page asks of it, as the ranges of a sweep; 0 where there is nothing to choose.
+    pub question: u64,
 }
 
 /// A campaign that runs.
 #[derive(Debug, Clone)]
 pub struct Running {
     number: u64,
-    /// The page it is for.
-    pub page: Page,
-    /// The layout it is for, by its uid.
-    uid: u64,
+    /// What it is for.
+    pub purpose: Purpose,
     /// Of all cases of the page.
     all: Fingerprint,
     /// The cases that are checked, by fingerprint.
@@ -123,16 +132,26 @@ impl App {
         taken.finish()
     }
 
-    /// How much of a page's cases is checked, for the selected layout.
-    pub(super) fn coverage(&self, page: Page, cases: &[Case], answers: &[Answer]) -> Coverage {
+    /// What a page asks of the selected layout.
+    pub(super) fn purpose(&self, page: Page, question: u64) -> Purpose {
+        Purpose { page, uid: self.layout().uid, question }
+    }
+
+    /// How much of some cases is checked.
+    pub(super) fn coverage(
+        &self,
+        purpose: Purpose,
+        cases: &[Case],
+        answers: &[Answer],
+    ) -> Coverage {
         let have = answers.iter().filter(|a| !matches!(a, Err(NoCheck::NotMade))).count();
-        let last = self.studies.campaigns.last.get(&(page, self.layout().uid));
+        let last = self.studies.campaigns.last.get(&purpose);
         let stale = have < cases.len() && last.is_some_and(|last| *last != self.all_of(cases));
         Coverage { have, of: cases.len(), stale }
     }
 
     /// Orders the checks of the cases that have none yet.
-    pub(super) fn start_campaign(&mut self, page: Page, cases: Vec<Case>) -> Vec<Effect> {
+    pub(super) fn start_campaign(&mut self, purpose: Purpose, cases: Vec<Case>) -> Vec<Effect> {
         if cases.is_empty() {
             self.complain("there is nothing to check here");
             return Vec::new();
@@ -162,15 +181,8 @@ impl App {
         }
         let order = self.order(Task::Campaign(Campaign { cases: missing, wanted }));
         self.give_way();
-        self.studies.campaigns.running = Some(Running {
-            number: order.number,
-            page,
-            uid: self.layout().uid,
-            all,
-            keys,
-            progress: None,
-            done: 0,
-        });
+        self.studies.campaigns.running =
+            Some(Running { number: order.number, purpose, all, keys, progress: None, done: 0 });
         vec![Effect::Work(order)]
     }
 
@@ -190,7 +202,7 @@ impl App {
             What::Case { index, answer, .. } => {
                 running.done += 1;
                 let key = running.keys.get(*index).copied();
-                campaigns.last.insert((running.page, running.uid), running.all);
+                campaigns.last.insert(running.purpose, running.all);
                 if let Some(key) = key {
                     campaigns.keep(key, answer.clone());
                 }

@@ -127,7 +127,7 @@ impl App {
         }
         let all = cases(&case, &lines);
         let answers: Vec<Answer> = all.iter().map(|case| self.found(case)).collect();
-        let coverage = self.coverage(Page::Design, &all, &answers);
+        let coverage = self.coverage(self.purpose(Page::Design, 0), &all, &answers);
         let figures = |answer: Option<&Answer>, outcome: &Outcome| {
             let verdict = answer?.as_ref().ok()?;
             let forecast = outcome.as_ref().ok().map(|p| p.values());

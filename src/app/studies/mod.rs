@@ -106,8 +106,6 @@ pub struct Studies {
     campaigns: Campaigns,
     /// How exactly the checks of studies compute; quick where nothing was said.
     fidelity: Option<Fidelity>,
-    /// The page that the help lies over.
-    behind: Option<Page>,
     sensitivity: sensitivity::State,
     sweep: sweep::State,
     compare: compare::State,
@@ -124,10 +122,9 @@ impl App {
         }
     }
 
-    /// What is under the text, help or list that lies over everything now.
-    pub(super) fn behind(&mut self) -> Mode {
+    /// What is under the text that is typed, or the list that lies over everything now.
+    pub(super) fn behind(&self) -> Mode {
         let page = match self.mode {
-            Mode::Help { .. } => self.studies.behind.take(),
             Mode::Entry(_) => self.page_open(),
             _ => None,
         };
@@ -150,10 +147,6 @@ impl App {
         match action {
             Action::Up => self.study_move(page, -1),
             Action::Down => self.study_move(page, 1),
-            Action::Help => {
-                self.studies.behind = Some(page);
-                self.mode = Mode::Help { scroll: 0 };
-            }
             Action::Check => return Some(self.start_study(page)),
             Action::Stop if self.campaign().is_some() => return None,
             Action::Stop => self.mode = Mode::Main,
@@ -227,10 +220,13 @@ impl App {
             Page::Compare => self.start_check(true),
             Page::Sensitivity => {
                 let cases = self.studies.sensitivity.cases();
-                self.start_campaign(page, cases)
+                self.start_campaign(self.purpose(page, 0), cases)
             }
             Page::Sweep => match self.studies.sweep.cases() {
-                Ok(cases) => self.start_campaign(page, cases),
+                Ok(cases) => {
+                    let question = self.studies.sweep.question();
+                    self.start_campaign(self.purpose(page, question), cases)
+                }
                 Err(why) => {
                     self.complain(why);
                     Vec::new()
@@ -238,7 +234,7 @@ impl App {
             },
             Page::Design => {
                 let cases = self.studies.design.cases();
-                self.start_campaign(page, cases)
+                self.start_campaign(self.purpose(page, 0), cases)
             }
         }
     }

@@ -56,7 +56,7 @@ impl App {
             View {
                 forecast: sensitivity(&case),
                 checked: dem::assemble(&case, &answers),
-                coverage: self.coverage(Page::Sensitivity, &cases, &answers),
+                coverage: self.coverage(self.purpose(Page::Sensitivity, 0), &cases, &answers),
                 effect: effect.unwrap_or(Effect::Force),
                 scroll: state.scroll,
                 case,

@@ -8,6 +8,7 @@ use super::super::message::Effect as Command;
 use super::campaign::Coverage;
 use super::typed::Typed;
 use super::{Ask, Mode, Page, neighbour};
+use crate::fingerprint::Fingerprinter;
 use crate::problem::Problem;
 use crate::study::case::{Case, Input, Outcome};
 use crate::study::checks::figures::Figures;
@@ -148,6 +149,21 @@ impl State {
         .collect()
     }
 
+    /// Which ranges are swept, as a number; the usual range of an offset follows the layout and counts
+    /// as the same.
+    pub(super) fn question(&self) -> u64 {
+        let of = Fingerprinter::new("ranges");
+        let inputs = self.inputs().into_iter().zip(self.steps);
+        let taken = inputs.fold(of, |of, (input, steps)| {
+            let range = self.ranges[place(input)];
+            of.text(input.word())
+                .optional(range.map(|r| r.0))
+                .optional(range.map(|r| r.1))
+                .text(&steps.to_string())
+        });
+        taken.finish().0
+    }
+
     /// The cases to check, or why there are none.
     pub(super) fn cases(&self) -> Result<Vec<Case>, String> {
         let Some(view) = &self.view else { return Ok(Vec::new()) };
@@ -211,7 +227,11 @@ impl App {
         match dem::cases(&view.case, &grid) {
             Ok(cases) => {
                 view.answers = cases.iter().map(|case| self.found(case)).collect();
-                view.coverage = self.coverage(Page::Sweep, &cases, &view.answers);
+                view.coverage = self.coverage(
+                    self.purpose(Page::Sweep, state.question()),
+                    &cases,
+                    &view.answers,
+                );
             }
             Err(why) => view.no_dem = Some(why),
         }

@@ -22,6 +22,9 @@ use ratatui::style::Style;
 /// Cells of the drawing of a range.
 const RANGE: usize = 20;
 
+/// Least rows of the chart with its heading.
+const CHART: u16 = 6;
+
 /// Draws the page.
 pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let name = &app.layout().name;
@@ -49,14 +52,18 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         return charted(app, below(rest, 5), buf, theme);
     }
-    let word = view.requirement.map_or("", Requirement::word);
-    heading(buf, rest, &format!("what just meets the {word}"), "published ranges", theme);
+    let word = match view.requirement {
+        Some(Requirement::Force) => "the force",
+        Some(Requirement::Deflection) => "the deflection",
+        _ => "both",
+    };
+    heading(buf, rest, &format!("what just meets {word}"), "published ranges", theme);
     rest = below(rest, 1);
     let lines = 2 * view.lines.len() as u16;
     let notes = notes(app, view, theme);
     let wanted = lines + notes.len() as u16;
     let chart = rest.height.saturating_sub(wanted);
-    let chart = if chart >= 7 { chart } else { 0 };
+    let chart = if chart >= CHART { chart } else { 0 };
     let list = Rect { height: (rest.height - chart).min(wanted), ..rest };
     solved(
         app,
@@ -78,15 +85,15 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 
 /// The curve with the design lines, and the answer beside it.
 fn charted(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    if area.height < 7 {
+    if area.height < CHART {
         return;
     }
     let beside = if area.width >= 70 { 29 } else { 0 };
-    let left = Rect { width: area.width - beside, ..area };
+    let left = Rect { width: area.width - beside - beside.min(1), ..area };
     heading(buf, left, &chart::caption(app), "", theme);
     chart::draw(app, below(left, 1), buf, theme);
     if beside > 0 {
-        answer::draw(app, Rect { x: left.right(), width: beside, ..area }, buf, theme);
+        answer::draw(app, Rect { x: area.right() - beside, width: beside, ..area }, buf, theme);
     }
 }
 
@@ -147,7 +154,7 @@ fn question(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
             let over = at.within_allowable == Some(false);
             bad |= over;
             let over = if over { " (over dm)" } else { "" };
-            words.push(format!("{} at the load{over}", m(reached)));
+            words.push(format!("{} at load{over}", m(reached)));
         }
     }
     if let Some(at) = &a.at_deflection {

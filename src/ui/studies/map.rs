@@ -148,7 +148,7 @@ fn text_of(cell: Option<&Cell>, ends: (f64, f64), width: usize, shaded: bool) ->
         Some(Cell::Sign(sign)) => (*sign, String::new()),
         Some(Cell::Empty) | None => (' ', String::new()),
     };
-    if width == NUMBER { format!("{sign}{text:<6}") } else { sign.to_string().repeat(width) }
+    if width == NUMBER { format!("{sign} {text:<5}") } else { sign.to_string().repeat(width) }
 }
 
 fn legend(
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn cells_read_without_colour() {
         let text = |v| text_of(Some(&Cell::Value(v)), (10.0, 20.0), NUMBER, true);
-        assert_eq!([text(10.0), text(15.1), text(20.0)], [".10.0  ", "+15.1  ", "@20.0  "]);
+        assert_eq!([text(10.0), text(15.1), text(20.0)], [". 10.0 ", "+ 15.1 ", "@ 20.0 "]);
         assert_eq!(text_of(Some(&Cell::Sign('P')), (0.0, 1.0), 3, true), "PPP");
         assert_eq!(text_of(None, (0.0, 1.0), 2, true), "  ");
         assert_eq!(shade(1.0, (1.0, 1.0)), '.');

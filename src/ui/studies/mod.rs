@@ -32,7 +32,7 @@ pub fn draw(app: &App, page: Page, area: Rect, buf: &mut Buffer, theme: &Theme) 
 /// How far the campaign of a page is, in a line.
 pub fn progress(app: &App) -> Option<String> {
     let running = app.campaign()?;
-    let (word, total) = (running.page.word(), running.total());
+    let (word, total) = (running.purpose.page.word(), running.total());
     let Some(p) = &running.progress else {
         return Some(format!("{word}: {total} checks begin; Esc ends them"));
     };

@@ -16,6 +16,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+/// Lines of a tornado with its head: two an input.
+const EACH: u16 = 15;
 /// Columns from which the range of each input stands beside it.
 const WITH_RANGES: u16 = 70;
 
@@ -41,7 +43,27 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let notes = notes(app, view, theme);
     let room = if rest.height >= 12 { notes.len() as u16 + 1 } else { 1 };
     let table = Rect { height: rest.height.saturating_sub(room), ..rest };
-    tornado(app, view, table, buf, theme);
+    let asked = view.case.question.force.is_some();
+    let all = [Effect::Force, Effect::Deflection, Effect::Utilisation];
+    let others = all.into_iter().filter(|e| asked || *e != Effect::Utilisation);
+    let mut left = table;
+    for (place, effect) in
+        std::iter::once(view.effect).chain(others.filter(|e| *e != view.effect)).enumerate()
+    {
+        // Where there is room the other values stand below the chosen one.
+        if place > 0 {
+            if left.height < EACH + 1 {
+                break;
+            }
+            let unit = unit_of(effect, app.units());
+            let title = format!("change of {}, {unit}", symbol(effect));
+            heading(buf, left, &title, "", theme);
+            left = below(left, 1);
+        }
+        let height = if place == 0 && table.height < 2 * EACH { left.height } else { EACH };
+        tornado(app, view, effect, Rect { height: height.min(left.height), ..left }, buf, theme);
+        left = below(left, EACH);
+    }
     let foot = below(rest, table.height);
     let first = foot.height.min(room).saturating_sub(notes.len() as u16);
     for (row, (text, style)) in notes.iter().enumerate() {
@@ -106,8 +128,8 @@ struct Line {
     style: Style,
 }
 
-fn tornado(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let (effect, unit) = (view.effect, app.units());
+fn tornado(app: &App, view: &View, effect: Effect, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let unit = app.units();
     let bars = view.forecast.by(effect);
     let by_check = view.checked.bars.iter().map(|bar| bar.largest(effect)).fold(0.0, f64::max);
     let most = bars.first().map_or(0.0, |bar| bar.largest(effect)).max(by_check);

@@ -40,7 +40,9 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return nothing(&problem.to_string(), rest, buf, theme);
     }
     let notes = notes(app, view, theme);
-    let foot = (notes.len() as u16).min(rest.height.saturating_sub(5));
+    // On a low screen the marked point is enough.
+    let most = if rest.height < 12 { 1 } else { 3 };
+    let foot = (notes.len() as u16).min(most).min(rest.height.saturating_sub(5));
     let body = Rect { height: rest.height - foot, ..rest };
     if view.axes.len() > 1 {
         map::draw(app, view, body, buf, theme);
@@ -195,7 +197,8 @@ fn line(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
     // Where the layout itself is.
     let own = range.input.value(&view.case);
     if let Some((column, _)) = plot.cell(across(own), least) {
-        put(buf, plot.area, plot.area.height, column, "^", theme.title);
+        let axis = Rect { y: plot.area.bottom(), height: 1, ..plot.area };
+        put(buf, axis, 0, column, "^", theme.title);
     }
 }
 
@@ -250,8 +253,8 @@ fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     };
     lines.push((text, style));
     if coverage.any() && !check.is_empty() {
-        let stale = if coverage.stale { "stale in part; " } else { "" };
-        lines.push((format!("  {stale}{count}; band 5 to 95 %"), theme.text));
+        let own = if view.axes.len() == 1 { "; ^ as it is" } else { "" };
+        lines.push((format!("  {count}; band 5 to 95 %{own}"), theme.text));
     }
     lines
 }
@@ -261,14 +264,14 @@ pub(super) fn figures_text(f: &Figures, unit: LengthUnit) -> String {
     let Some(mean) = f.mean else { return "no run broke a wire".into() };
     let error = f.error.map_or(String::new(), |e| format!(" +-{}", significant(to_kn(e.force), 2)));
     let band = f.force_band.map_or(String::new(), |[low, high]| {
-        format!(" ({} to {})", significant(to_kn(low), 3), significant(to_kn(high), 3))
+        format!(" ({}-{})", significant(to_kn(low), 3), significant(to_kn(high), 3))
     });
     let used = f.utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)));
     let over = f.difference.map_or(String::new(), |d| {
-        format!("; over forecast {:+.0} %, {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
+        format!("; F {:+.0} %, delta {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
     });
     let force = significant(to_kn(mean.force), 3);
-    format!("F {force}{error} kN{band}, delta {}{used}{over}", length_text(mean.deflection, unit))
+    format!("{force}{error} kN{band}, {}{used}{over}", length_text(mean.deflection, unit))
 }
 
 /// All points as a table.
