@@ -3,6 +3,7 @@
 mod checks;
 mod desk;
 mod harness;
+mod new_user;
 mod readme;
 mod scripts;
 mod snapshots;

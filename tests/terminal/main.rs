@@ -5,6 +5,7 @@ mod cost;
 mod desk;
 mod drawing;
 mod endings;
+mod new_user;
 mod program;
 mod projects;
 mod pty;
