@@ -32,10 +32,11 @@ use super::inertia::{OUT_OF_PLANE, PairInertia, StepFactors, pairs};
 use super::lattice::{Lattice, Role, bond_number, bond_of};
 use super::scene::Scene;
 
-/// Lanczos steps. Their largest eigenvalue comes from below: 1 % short at most on the bench scenes.
+/// Lanczos steps. Their largest eigenvalue comes from below: 1 % short at most on the bench scenes, 2.1 %
+/// on nets whose bonds differ twentyfold in stiffness.
 const ITERATIONS: usize = 16;
 /// What the iteration may miss, as a part, added to its answer.
-const MARGIN: f64 = 0.02;
+const MARGIN: f64 = 0.03;
 
 /// Largest eigenvalues of M^-1 K at some step factors.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,10 +5,11 @@
 //!
 //! `cargo bench --bench yade`
 
-use meshcast::dem::{Controls, Fidelity, PLAIN_PHASE, SceneSpec, Test};
+use meshcast::dem::{Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, SceneSpec, Test, check};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
-use meshcast::study::bench::{force_at, timed};
+use meshcast::study::bench::force_at;
+use meshcast::study::clock::thread_seconds;
 
 /// A published run.
 struct Published {
@@ -53,6 +54,16 @@ fn curve(text: &str) -> Vec<(f64, f64)> {
     rows.windows(2).map(|w| (0.5 * (w[0][0] + w[1][0]), w[1][2])).collect()
 }
 
+/// The run and its processor time, s, the best of several.
+fn timed(spec: &SceneSpec, controls: &Controls, times: usize) -> (Outcome, f64) {
+    let once = || {
+        let start = thread_seconds();
+        let outcome = check(spec, controls, &mut |_| Flow::Continue).expect("the scene is sound");
+        (outcome, thread_seconds() - start)
+    };
+    (1..times).map(|_| once()).fold(once(), |best, next| if next.1 < best.1 { next } else { best })
+}
+
 fn main() {
     println!(
         "{:<36} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8}",
@@ -69,7 +80,7 @@ fn main() {
         for fidelity in Fidelity::ALL {
             let controls = Controls { fidelity, after_break: 0.0, ..Controls::default() };
             let times = if fidelity == Fidelity::Reference { 1 } else { 5 };
-            let (ours, seconds) = timed(&spec, &controls, times).expect("the scene is sound");
+            let (ours, seconds) = timed(&spec, &controls, times);
             let Some(first) = ours.first_break else {
                 println!("{:<36} {:<10} no wire broke", run.name, fidelity.word());
                 continue;
