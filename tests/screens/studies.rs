@@ -68,9 +68,12 @@ fn said(app: &App) -> String {
 
 #[test]
 fn a_page_opens_closes_and_keeps_its_place_under_the_help() {
-    for (key, word) in
-        [("s", "sensitivity of"), ("w", "sweep of"), ("v", "compare"), ("g", "design of")]
-    {
+    for (key, word) in [
+        ("s", "sensitivity of"),
+        ("w", "sweep of"),
+        ("v", "compare: in the project"),
+        ("g", "design of"),
+    ] {
         let mut app = app((80, 24));
         let main = text(&app);
         press(&mut app, key);

@@ -56,7 +56,7 @@ pub enum Kind {
     /// A value at which the requirement comes to be met or not.
     Take {
         /// The crossing.
-        crossing: Crossing,
+        crossing: Box<Crossing>,
         /// The value to take, m: the nearest whole millimetre that meets it, or the crossing.
         value: f64,
         /// What it gives.
@@ -122,7 +122,8 @@ impl App {
             for crossing in &solution.crossings {
                 let value = crossing.rounded.unwrap_or(crossing.value);
                 let outcome = case.with(input, value).outcome();
-                lines.push(line(Kind::Take { crossing: crossing.clone(), value, outcome }));
+                let crossing = Box::new(crossing.clone());
+                lines.push(line(Kind::Take { crossing, value, outcome }));
             }
         }
         let all = cases(&case, &lines);
