@@ -192,14 +192,10 @@ fn a_fault_in_the_worker_leaves_the_program_ready() {
 
 #[test]
 fn screens_with_a_check() {
-    for (name, size, look) in [
-        ("80x24_color", (80, 24), COLOR),
-        ("80x24_mono", (80, 24), MONO),
-        ("80x24_ascii", (80, 24), ASCII),
-        ("120x40_color", (120, 40), COLOR),
-        ("200x60_color", (200, 60), COLOR),
-        ("40x12_color", (40, 12), COLOR),
-    ] {
+    let sizes = [(80, 24), (120, 40), (200, 60), (40, 12)];
+    let looks = [("color", COLOR), ("mono", MONO), ("ascii", ASCII)];
+    for (size, (word, look)) in sizes.iter().flat_map(|s| looks.iter().map(move |l| (*s, *l))) {
+        let name = format!("{}x{}_{word}", size.0, size.1);
         let mut app = start(small(), size, look);
         press(&mut app, ":runs 3<Enter>:fidelity quick<Enter>");
         check(&mut app, "c");

@@ -18,9 +18,19 @@ fn check(name: &str, script: &str, size: (u16, u16), look: Look) {
 
 #[test]
 fn main_screen_at_every_size_and_look() {
-    for size in [(80, 24), (120, 40), (40, 12)] {
+    for size in [(80, 24), (120, 40), (200, 60), (40, 12)] {
         for (word, look) in LOOKS {
             check(&format!("main_{}x{}_{word}", size.0, size.1), "<Tab><Tab>", size, look);
+        }
+    }
+}
+
+/// The comparison of all layouts, by forecast alone; with checks it is among the pages of studies.
+#[test]
+fn comparison_at_every_size_and_look() {
+    for size in [(80, 24), (120, 40), (200, 60), (40, 12)] {
+        for (word, look) in LOOKS {
+            check(&format!("compare_{}x{}_{word}", size.0, size.1), "v", size, look);
         }
     }
 }
