@@ -1,6 +1,7 @@
 //! Exports: tables, pictures and reports as texts. The pictures that the tests make are kept in
 //! `target/tmp`, to be looked at.
 
+mod checks;
 mod pictures;
 mod reports;
 mod tables;

@@ -2,6 +2,7 @@
 //! and its stability. Expectations come from closed forms, from published runs of another program,
 //! or from the plain solver; where a test compares with an earlier run of our own it says so.
 
+mod calibrated;
 mod determinism;
 mod net;
 mod single_bond;

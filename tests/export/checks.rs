@@ -1,0 +1,90 @@
+//! Kept checks in what is exported: the same numbers, how to make them again, and whether they are stale.
+
+use meshcast::dem::{Fidelity, Flow};
+use meshcast::export::{Kind, Source};
+use meshcast::layout::Layout;
+use meshcast::mesh::REFERENCE_ID;
+use meshcast::project::{NamedLayout, Project};
+use meshcast::study::verdict::Wanted;
+use meshcast::study::verdict::make::make;
+use meshcast::units::{LengthUnit, significant, to_kn};
+use std::sync::Arc;
+
+/// A project with a small cell that was checked, twice, and one that was not.
+fn checked() -> Project {
+    let layout = Layout { plate: 0.25, spacing: 1.3, punch: 0.4, ex: 0.0, ey: 0.0 };
+    let mut project = Project::starter("Small");
+    project.layouts = vec![
+        NamedLayout::new("one", layout, REFERENCE_ID),
+        NamedLayout::new("two", layout, REFERENCE_ID),
+    ];
+    let mesh = project.mesh(&project.layouts[0]).unwrap();
+    let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 5 };
+    let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
+    project.layouts[0].check = Some(Arc::new(made.verdict));
+    project
+}
+
+fn text(kind: Kind, project: &Project) -> String {
+    let source = Source { file_name: "small.ron", text: None, edited: false };
+    kind.text(project, 0, source, LengthUnit::Metre).unwrap()
+}
+
+#[test]
+fn a_kept_check_is_in_every_export_that_can_show_it() {
+    let project = checked();
+    let verdict = project.layouts[0].check.clone().unwrap();
+    let force = significant(to_kn(verdict.force.mean), 3);
+    for kind in [Kind::ReportHtml, Kind::ReportMarkdown] {
+        let report = text(kind, &project);
+        let small = report.to_lowercase();
+        assert!(small.contains("check by simulation, 2 runs, quick"), "{kind:?}");
+        assert!(report.contains(&force) && report.contains(&verdict.inputs.to_string()));
+        assert!(report.contains("--fidelity quick --runs 2 --seed 5"), "how to make it again");
+        assert!(report.contains("estimated error of the curve"));
+        assert!(!report.contains("stale"));
+    }
+    assert!(text(Kind::Chart, &project).contains("check by simulation"));
+    let table = text(Kind::Table, &project);
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
+    let number: f64 = rows[1][column("dem_F_kN")].parse().unwrap();
+    assert_eq!(number, to_kn(verdict.force.mean));
+    assert_eq!((rows[1][column("dem_runs")], rows[1][column("dem_stale")]), ("2", "false"));
+    assert_eq!((rows[2][column("dem_F_kN")], rows[2][column("dem_stale")]), ("", ""));
+}
+
+#[test]
+fn a_check_of_other_inputs_is_marked_stale_everywhere() {
+    let mut project = checked();
+    project.layouts[0].spacing = 1.35;
+    for kind in [Kind::ReportHtml, Kind::ReportMarkdown, Kind::Chart] {
+        assert!(text(kind, &project).contains("stale"), "{kind:?}");
+    }
+    let table = text(Kind::Table, &project);
+    assert!(table.lines().nth(1).unwrap().contains(",true,"), "{table}");
+}
+
+#[test]
+fn a_project_with_a_check_is_saved_and_read_back_and_loses_it_when_it_is_taken_out() {
+    let project = checked();
+    let file = tempfile::NamedTempFile::with_suffix(".ron").unwrap();
+    let (mut document, _) = {
+        let text = meshcast::project::new_project("Small");
+        std::fs::write(file.path(), text).unwrap();
+        let opened = meshcast::project::load(file.path()).unwrap();
+        (opened.document, opened.project)
+    };
+    document.save(&Arc::new(project.clone()), meshcast::project::Overwrite::Yes).unwrap();
+    let back = meshcast::project::load(file.path()).unwrap().project;
+    assert_eq!(back, project);
+    assert!(back.layouts[0].check.is_some());
+    let without: String = std::fs::read_to_string(file.path())
+        .unwrap()
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("check: ("))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let without = meshcast::project::parse(&without, "taken out").unwrap().project;
+    assert!(without.layouts[0].check.is_none());
+}
