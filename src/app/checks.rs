@@ -16,7 +16,7 @@ use crate::job::order::{News, Order, Progress, Task, What};
 use crate::project::Project;
 use crate::study::verdict::Verdict;
 use crate::study::verdict::Wanted;
-use crate::study::verdict::make::{Made, fingerprint};
+use crate::study::verdict::make::{Made, expected_break, fingerprint};
 use crate::study::verdict::relief::Relief;
 use crate::units::{force_text, length_text, significant};
 use std::sync::Arc;
@@ -189,8 +189,9 @@ impl App {
         let result = &self.results[index];
         let mesh = result.mesh.clone()?;
         let field = result.forecast().and_then(|f| f.field);
-        let expected = field.map_or(0.2 * layout.spacing, |f| f.values.deflection);
-        Some(Target { uid: layout.uid, layout: layout.layout(), mesh, expected })
+        let geometry = layout.layout();
+        let expected = expected_break(&geometry, field.map(|f| f.values));
+        Some(Target { uid: layout.uid, layout: geometry, mesh, expected })
     }
 
     pub(super) fn order(&mut self, task: Task) -> Order {

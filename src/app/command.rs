@@ -3,7 +3,6 @@
 use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Effect;
-use super::settings::Item;
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -38,13 +37,7 @@ impl App {
                 "all" => return Ok(self.start_check(true)),
                 _ => return Err("check, or check all".into()),
             },
-            "fidelity" => return self.set_setting(Item::Fidelity, rest),
-            "runs" => return self.set_setting(Item::Runs, rest),
-            "live" => match rest {
-                "on" | "off" if (rest == "on") == self.live() => {}
-                "on" | "off" => return Ok(self.toggle_live()),
-                _ => return Err("live on or live off".into()),
-            },
+            "fidelity" | "runs" | "live" => return self.set_command(text),
             "undo" => self.undo(),
             "redo" => self.redo(),
             "help" | "h" => self.toggle_help(),

@@ -1,7 +1,7 @@
 //! Where a text goes: standard output, or a file that is never overwritten by chance.
 
 use super::output::{Fault, Outcome, Output};
-use crate::project::{Overwrite, SaveError, write_file};
+use crate::project::{Overwrite, SaveError, same_file, write_file};
 use clap::Args;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -44,13 +44,6 @@ impl Destination {
         let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
         write_file(path, &text, overwrite).map_err(fault)?;
         Ok(Output { result: format!("{}\n", path.display()), notes, ..Output::default() })
-    }
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => false,
     }
 }
 

@@ -45,6 +45,23 @@ pub struct InputsJson<'a> {
     pub branch: &'static str,
 }
 
+/// How a case differs from a study's base. To be flattened.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[allow(non_snake_case, reason = "the names are the paper's symbols")]
+pub struct ChangeValues {
+    #[serde(serialize_with = "number")]
+    pub F_kN: f64,
+    #[serde(serialize_with = "number")]
+    pub delta_m: f64,
+    #[serde(serialize_with = "optional")]
+    pub utilisation: Option<f64>,
+    /// Parts of the base's values.
+    #[serde(serialize_with = "number")]
+    pub F: f64,
+    #[serde(serialize_with = "number")]
+    pub delta: f64,
+}
+
 /// A force with its deflection.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]

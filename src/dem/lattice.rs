@@ -207,10 +207,11 @@ impl Lattice {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    const NET: NetGeometry = NetGeometry {
+    /// The net of the reference mesh.
+    pub const NET: NetGeometry = NetGeometry {
         opening: 0.08,
         twist: 0.04,
         projection: 0.04,

@@ -319,18 +319,9 @@ fn largest_of(diagonal: &[f64], beside: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::lattice::tests::NET;
     use super::*;
     use crate::dem::inertia::{StepFactors, pairs};
-    use crate::mesh::wire::NetGeometry;
-
-    const NET: NetGeometry = NetGeometry {
-        opening: 0.08,
-        twist: 0.04,
-        projection: 0.04,
-        diameter: 0.0027,
-        node_mass: 0.0039,
-        node_radius: 0.0108,
-    };
 
     #[test]
     fn the_eigenvalue_of_a_tridiagonal_matrix_is_the_closed_form() {

@@ -117,17 +117,7 @@ fn notes(case: &Case, v: &Verdict, unit: LengthUnit, file: &str, stale: bool) ->
         notes.push(format!("the punch slipped through in {} of {} runs", v.slipped, v.runs));
     }
     notes.push(quality(&v.quality));
-    for warning in &v.warnings {
-        notes.push(match warning.as_str() {
-            "bifurcation" => {
-                "the answer depends on a millimetre of the punch's place: only the band counts"
-                    .into()
-            }
-            "diverged" => "some runs ran away and were left out".into(),
-            "cancelled" => "the check was ended early: these are the runs made by then".into(),
-            other => other.to_string(),
-        });
-    }
+    notes.extend(v.remarks());
     let runs = v.wanted.runs.map_or(String::new(), |n| format!(" --runs {n}"));
     let repeat = format!(
         "meshcast check {} {} --fidelity {}{runs} --seed {}",

@@ -3,18 +3,13 @@
 
 use super::desk::Ticket;
 use super::order::{News, Order, Progress, What};
-use super::pace::Pace;
+use super::pace::{Pace, QUIET};
 use crate::dem::Flow;
 use crate::study::case::Case;
 use crate::study::checks::{self, NoCheck, checks};
 use crate::study::verdict::Wanted;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
-
-/// Least time between two words of progress: four a second.
-const QUIET: Duration = Duration::from_millis(250);
-/// Where a case has no forecast, the deflection at which it is expected to break, over its spacing.
-const EXPECTED: f64 = 0.2;
+use std::time::Instant;
 
 /// Cases to be checked, all asked for alike, so that they share alignments and slack.
 #[derive(Debug, Clone)]
@@ -48,7 +43,7 @@ impl Campaign {
                     // Nothing that holds the lock can panic halfway.
                     let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
                     if seen.index != Some(news.index) {
-                        let end = self.cases.get(news.index).map_or(EXPECTED, expected)
+                        let end = self.cases.get(news.index).map_or(0.0, Case::expected_break)
                             + self.wanted.controls().after_break;
                         seen.pace.begin(news.index, news.total, end);
                         seen.index = Some(news.index);
@@ -81,12 +76,6 @@ impl Campaign {
         };
         checks(&self.cases, &self.wanted, order.threads, &listen);
     }
-}
-
-/// Deflection at which a case is expected to break, m.
-fn expected(case: &Case) -> f64 {
-    let reached = case.outcome().map(|point| point.values().deflection);
-    reached.unwrap_or(EXPECTED * case.layout.spacing)
 }
 
 #[cfg(test)]

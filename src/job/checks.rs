@@ -2,7 +2,7 @@
 
 use super::desk::Ticket;
 use super::order::{News, Order, Progress, What};
-use super::pace::Pace;
+use super::pace::{Pace, QUIET};
 use crate::curve::Point;
 use crate::dem::Flow;
 use crate::layout::Layout;
@@ -12,10 +12,8 @@ use crate::study::verdict::make::{Made, Told, fingerprint, make, wires};
 use crate::study::verdict::relief::Relief;
 use crate::study::verdict::{Verdict, Wanted};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-/// Least time between two words of progress: four a second.
-const QUIET: Duration = Duration::from_millis(250);
 /// Punch displacement between two points of a growing curve, m.
 const SPACING: f64 = 0.008;
 

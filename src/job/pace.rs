@@ -6,6 +6,10 @@
 use crate::dem::Progress;
 use std::collections::HashMap;
 use std::thread::{self, ThreadId};
+use std::time::Duration;
+
+/// Least time between two words of progress: four a second.
+pub const QUIET: Duration = Duration::from_millis(250);
 
 /// Counts what is done. Runs belong to parts, as the layouts of a project.
 #[derive(Debug, Default)]

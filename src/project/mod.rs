@@ -34,7 +34,7 @@ pub use error::{Cause, Fault, LoadError};
 pub use home::{Home, Start};
 pub use load::{load, parse};
 pub use recovery::Recovery;
-pub use save::{Overwrite, SaveError, SaveReport, create, write_file};
+pub use save::{Overwrite, SaveError, SaveReport, create, same_file, write_file};
 pub use schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
 pub use wire_file::{load_wire, wire_text};
 pub use write::new_project;

@@ -202,6 +202,14 @@ pub fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), S
         .map_err(|error| SaveError::Io { path: path.to_path_buf(), error })
 }
 
+/// Whether two paths lead to one file that is there.
+pub fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
 /// The file behind a chain of symbolic links; the path itself if there is none.
 /// A link that leads to no file yet is followed too, so that the link stays.
 pub(super) fn resolve(path: &Path) -> Result<PathBuf, SaveError> {

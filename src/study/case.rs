@@ -13,6 +13,7 @@ use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
+use crate::study::verdict::make::expected_break;
 use crate::units::{LengthUnit, shortest, significant, to_kn};
 use std::sync::Arc;
 
@@ -94,6 +95,11 @@ impl Case {
         let field = forecast.field.ok_or(NoValue::PunchOnPlate)?;
         let answer = answer(&field, &self.question);
         Ok(Point { field, answer, warnings: forecast.warnings })
+    }
+
+    /// Deflection at which its check is expected to break until a run has told, m.
+    pub fn expected_break(&self) -> f64 {
+        expected_break(&self.layout, self.outcome().ok().map(|point| point.values()))
     }
 
     /// The same case with another value of one input.

@@ -2,7 +2,7 @@
 
 use crate::app::message::Exported;
 use crate::export::{Kind, Source};
-use crate::project::{Document, Overwrite, Project, SaveError, write_file};
+use crate::project::{Document, Overwrite, Project, SaveError, same_file, write_file};
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
 
@@ -45,7 +45,7 @@ pub(super) fn write(document: &Document, wanted: Wanted<'_>) -> Result<Exported,
         .map_err(|found| found.iter().map(|p| p.to_string()).collect::<Vec<_>>().join("; "))?;
     let note = wanted.edited.then(|| "edits are not saved yet".to_string());
     if let Some(path) = wanted.path {
-        if same_file(document.path(), path) {
+        if document.path().is_some_and(|own| same_file(own, path)) {
             return Err("that is the project itself, which is never overwritten".into());
         }
         let overwrite = if wanted.overwrite { Overwrite::Yes } else { Overwrite::No };
@@ -74,13 +74,6 @@ pub(super) fn write(document: &Document, wanted: Wanted<'_>) -> Result<Exported,
     Err(format!(
         "there are {MOST_NAMES} files of that name already; :export KIND PATH takes another"
     ))
-}
-
-fn same_file(project: Option<&Path>, path: &Path) -> bool {
-    match (project.map(Path::canonicalize), path.canonicalize()) {
-        (Some(Ok(a)), Ok(b)) => a == b,
-        _ => false,
-    }
 }
 
 #[cfg(test)]

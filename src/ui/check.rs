@@ -23,6 +23,7 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     let Some(shown) = app.shown_check() else {
         return match app.live_refusal() {
             Some(why) => vec![(format!("no check: {why}"), theme.caution)],
+            None if app.live_running() => vec![("live check under way".into(), theme.check)],
             None => Vec::new(),
         };
     };
@@ -31,6 +32,9 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     let mut lines = vec![(figures(app, &shown), style)];
     if verdict.bifurcation() {
         lines.push(("! a millimetre decides: band only".into(), theme.caution));
+    }
+    if verdict.diverged() {
+        lines.push(("! some runs ran away: see i".into(), theme.caution));
     }
     let runs = match shown.standing {
         Standing::Live(true) => format!("{} of {}", verdict.runs, crate::app::checks::LIVE_RUNS),
@@ -42,6 +46,10 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     });
     let cut = if verdict.partial() { ", ended early" } else { "" };
     lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
+    if verdict.slipped > 0 {
+        let text = format!(" slipped through: {} of {}", verdict.slipped, verdict.runs);
+        lines.push((text, theme.caution));
+    }
     let places = Places::of(verdict, &app.layout().layout()).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));

@@ -5,24 +5,9 @@ use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::checks::Standing;
 use meshcast::app::message::{Effect, Message};
+use meshcast::curve::Point;
+use meshcast::job::News;
 use meshcast::job::order::{Progress, Task, What};
-use meshcast::job::{News, Order, Ticket};
-use meshcast::layout::Layout;
-use meshcast::mesh::REFERENCE_ID;
-use meshcast::project::schema::{NamedLayout, Project};
-use std::sync::Mutex;
-
-/// Two small cells, which take milliseconds, and one that cannot be: the punch is on a plate.
-fn small() -> Project {
-    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
-    let mut project = Project::starter("Small");
-    project.layouts = vec![
-        NamedLayout::new("one", layout(1.3, 0.0), REFERENCE_ID),
-        NamedLayout::new("two", layout(1.4, 0.0), REFERENCE_ID),
-        NamedLayout::new("on a plate", layout(1.4, 0.7), REFERENCE_ID),
-    ];
-    project
-}
 
 fn app() -> App {
     let mut app = start(small(), (80, 24), COLOR);
@@ -30,34 +15,9 @@ fn app() -> App {
     app
 }
 
-/// The news of an order, in the order in which they come on one thread.
-fn news(order: &Order) -> Vec<News> {
-    let heard = Mutex::new(Vec::new());
-    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
-    heard.into_inner().unwrap()
-}
-
-/// Does the work that was asked for; tells how many orders there were.
-fn work(app: &mut App, effects: Vec<Effect>) -> usize {
-    let orders: Vec<Order> = effects
-        .into_iter()
-        .filter_map(|effect| match effect {
-            Effect::Work(order) => Some(order),
-            _ => None,
-        })
-        .collect();
-    for order in &orders {
-        for news in news(order) {
-            let more = app.update(Message::Work(news));
-            assert!(more.is_empty(), "{more:?}");
-        }
-    }
-    orders.len()
-}
-
 fn check(app: &mut App, script: &str) -> usize {
     let effects = press(app, script);
-    work(app, effects)
+    work(app, effects).len()
 }
 
 #[test]
@@ -115,7 +75,7 @@ fn a_mesh_without_wires_is_refused_in_words() {
 fn live_checks_follow_edits_and_leave_the_project_alone() {
     let mut app = app();
     let effects = press(&mut app, "l");
-    assert_eq!(work(&mut app, effects), 1, "switching it on is reason enough");
+    assert_eq!(work(&mut app, effects).len(), 1, "switching it on is reason enough");
     assert_eq!(app.shown_check().unwrap().standing, Standing::Live(false));
     assert!(!app.edited());
     // A key that changes no input starts nothing.
@@ -206,4 +166,40 @@ fn screens_with_a_check() {
     check(&mut app, "c");
     press(&mut app, "<Right>i");
     insta::assert_snapshot!("check_details", text(&app));
+}
+
+#[test]
+fn a_check_grows_on_the_chart_while_it_runs() {
+    let mut app = app();
+    let effects = press(&mut app, "c");
+    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let before = text(&app);
+    let point = |k: usize| Point { deflection: 0.05 * k as f64, force: 3_000.0 * k as f64 };
+    let progress = Progress {
+        uid: app.layout().uid,
+        parts: 1,
+        planned: 2,
+        curves: vec![(0..6).map(point).collect()],
+        ..Progress::default()
+    };
+    app.update(Message::Work(News { number: order.number, what: What::Progress(progress) }));
+    let chart = |text: &str| text.lines().take(14).collect::<Vec<_>>().join("\n");
+    assert_ne!(chart(&before), chart(&text(&app)));
+    // News of an order that is not the last one change nothing.
+    let now = text(&app);
+    let late = Progress { uid: app.layout().uid, done: 7, ..Progress::default() };
+    app.update(Message::Work(News { number: order.number + 9, what: What::Progress(late) }));
+    assert_eq!(now, text(&app));
+}
+
+#[test]
+fn a_result_of_another_version_is_stale() {
+    let mut app = app();
+    check(&mut app, "c");
+    let mut project = (**app.project()).clone();
+    let mut older = (*project.layouts[0].check.clone().unwrap()).clone();
+    older.version = "0.0.1".into();
+    project.layouts[0].check = Some(older.into());
+    let app = start(project, (80, 24), COLOR);
+    assert!(app.shown_check().unwrap().stale() && text(&app).contains("stale"));
 }

@@ -4,6 +4,7 @@ use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
 use meshcast::app::message::{Effect, Message};
 use meshcast::app::{App, Start};
+use meshcast::job::{News, Order, Ticket};
 use meshcast::layout::Layout;
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::schema::{NamedLayout, Project};
@@ -11,7 +12,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier};
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// Five layouts, the rows of Table 1 of Pol & Gabrieli (2021).
 pub fn road_cut() -> Project {
@@ -158,4 +159,39 @@ pub fn styled(app: &App) -> String {
         })
         .collect();
     format!("{}----\n{map}----\n{legend}", text(app))
+}
+
+/// Two small cells, which are checked in milliseconds, and one that cannot be: the punch is on a plate.
+pub fn small() -> Project {
+    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
+    let mut project = Project::starter("Small");
+    project.layouts = vec![
+        NamedLayout::new("one", layout(1.3, 0.0), REFERENCE_ID),
+        NamedLayout::new("two", layout(1.4, 0.0), REFERENCE_ID),
+        NamedLayout::new("on a plate", layout(1.4, 0.7), REFERENCE_ID),
+    ];
+    project
+}
+
+/// The news of an order that is done here and now.
+pub fn news(order: &Order) -> Vec<News> {
+    let heard = Mutex::new(Vec::new());
+    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
+    heard.into_inner().unwrap()
+}
+
+/// Does the work among some effects and tells the state of it; the orders, as they were.
+pub fn work(app: &mut App, effects: Vec<Effect>) -> Vec<Order> {
+    let ordered = |effect| match effect {
+        Effect::Work(order) => Some(order),
+        _ => None,
+    };
+    let orders: Vec<Order> = effects.into_iter().filter_map(ordered).collect();
+    for order in &orders {
+        for news in news(order) {
+            let more = app.update(Message::Work(news));
+            assert!(more.is_empty(), "{more:?}");
+        }
+    }
+    orders
 }

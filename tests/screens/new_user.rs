@@ -5,9 +5,7 @@ use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::message::{Effect, Exported, Message};
 use meshcast::export::Kind;
-use meshcast::job::Ticket;
 use std::path::PathBuf;
-use std::sync::Mutex;
 
 /// The sample as it is opened, at 80x24.
 fn sample() -> App {
@@ -21,14 +19,8 @@ fn sample() -> App {
 
 /// Presses keys and does the work that they ask for.
 fn press_and_work(app: &mut App, script: &str) {
-    for effect in press(app, script) {
-        let Effect::Work(order) = effect else { continue };
-        let heard = Mutex::new(Vec::new());
-        order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
-        for news in heard.into_inner().unwrap() {
-            app.update(Message::Work(news));
-        }
-    }
+    let effects = press(app, script);
+    work(app, effects);
 }
 
 #[test]

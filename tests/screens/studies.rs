@@ -4,27 +4,18 @@ use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::message::{Effect, Message};
 use meshcast::job::order::{Progress, Task, What};
-use meshcast::job::{News, Order, Ticket};
-use meshcast::layout::Layout;
-use meshcast::mesh::REFERENCE_ID;
-use meshcast::project::schema::{NamedLayout, Project};
-use std::sync::Mutex;
+use meshcast::job::{News, Order};
+use meshcast::project::schema::Project;
 
-/// Two small cells, which are checked in milliseconds, and one that cannot be: the punch is on a plate.
-fn small() -> Project {
-    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
-    let mut project = Project::starter("Small");
-    project.layouts = vec![
-        NamedLayout::new("one", layout(1.3, 0.0), REFERENCE_ID),
-        NamedLayout::new("two", layout(1.4, 0.0), REFERENCE_ID),
-        NamedLayout::new("on a plate", layout(1.4, 0.7), REFERENCE_ID),
-    ];
+/// The small cells, the first with a design force.
+fn asked() -> Project {
+    let mut project = small();
     project.layouts[0].design_force = Some(12_000.0);
     project
 }
 
 fn app(size: (u16, u16)) -> App {
-    let mut app = start(small(), size, COLOR);
+    let mut app = start(asked(), size, COLOR);
     press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>");
     app
 }
@@ -35,31 +26,14 @@ fn order(effects: Vec<Effect>) -> Order {
     order.clone()
 }
 
-fn news(order: &Order) -> Vec<News> {
-    let heard = Mutex::new(Vec::new());
-    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
-    heard.into_inner().unwrap()
-}
-
 /// Presses keys and does the work they ask for; tells how many cases or layouts it was.
 fn work(app: &mut App, script: &str) -> usize {
     let effects = press(app, script);
-    let orders = effects.into_iter().filter_map(|effect| match effect {
-        Effect::Work(order) => Some(order),
-        _ => None,
-    });
-    let mut count = 0;
-    for order in orders {
-        count += match &order.task {
-            Task::Checks(checks) => checks.targets.len(),
-            Task::Campaign(campaign) => campaign.cases.len(),
-        };
-        for news in news(&order) {
-            let more = app.update(Message::Work(news));
-            assert!(more.is_empty(), "{more:?}");
-        }
-    }
-    count
+    let size = |order: &Order| match &order.task {
+        Task::Checks(checks) => checks.targets.len(),
+        Task::Campaign(campaign) => campaign.cases.len(),
+    };
+    crate::harness::work(app, effects).iter().map(size).sum()
 }
 
 fn said(app: &App) -> String {
@@ -193,7 +167,7 @@ fn a_check_takes_the_place_of_a_campaign_and_the_other_way_round() {
 
 #[test]
 fn a_mesh_without_wires_has_no_campaign() {
-    let mut project = small();
+    let mut project = asked();
     let mut mesh = (*project.mesh(&project.layouts[0]).unwrap()).clone();
     mesh.wire = None;
     project.meshes = vec![meshcast::project::MeshUse::Inline(mesh.into())];
@@ -386,7 +360,7 @@ fn pages_are_drawn_at_every_size_and_for_every_layout() {
     for size in [(40, 12), (41, 13), (59, 17), (79, 23), (80, 24), (100, 30), (120, 40), (200, 60)]
     {
         for look in [COLOR, MONO, ASCII] {
-            let mut app = start(small(), size, look);
+            let mut app = start(asked(), size, look);
             for page in ["s", "w", "wm", "v", "g", "g9<Enter>D0.2<Enter>"] {
                 for _ in 0..3 {
                     press(&mut app, page);

@@ -83,16 +83,8 @@ fn quality(page: &mut Page, q: &Quality) {
 }
 
 fn remarks(page: &mut Page, v: &Verdict) {
-    for warning in &v.warnings {
-        page.text(
-            &match warning.as_str() {
-                "bifurcation" => "  ! the answer depends on a millimetre of the punch's place: only the band counts, never one run".to_string(),
-                "diverged" => "  ! some runs ran away and were left out".into(),
-                "cancelled" => "  ! ended early: these are the runs made by then".into(),
-                other => format!("  ! {other}"),
-            },
-            4,
-        );
+    for remark in v.remarks() {
+        page.text(&format!("  ! {remark}"), 4);
     }
     if v.force.error > 0.02 * v.force.mean && !v.partial() {
         page.text("  ! the mean is not known to 2 %; more runs would tell (:runs auto)", 4);

@@ -27,6 +27,7 @@ use crate::mesh::STANDARD_PUNCH;
 use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
+use crate::study::verdict::make::expected_break;
 use flags::Format;
 
 /// One case with its check.
@@ -171,7 +172,7 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             _ => "check".to_string(),
         };
         // Until the first run has ended, its end is expected where the forecast has it.
-        let guess = forecast.values.map_or(0.2 * spec.layout.spacing, |v| v.deflection);
+        let guess = expected_break(&spec.layout, forecast.values);
         watch.begin(&label, part, parts, guess + controls.after_break);
         let ensemble = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))
             .map_err(|found| flags::placed(found, case.name.as_deref()))?;

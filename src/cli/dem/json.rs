@@ -1,6 +1,7 @@
 //! Checks in the JSON of a study: SI with kN.
 
 use crate::cli::output::{number, optional};
+use crate::cli::shapes::ChangeValues;
 use crate::dem::Fidelity;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
@@ -94,17 +95,8 @@ struct DifferenceJson {
 #[derive(Debug, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
 struct ChangeJson {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
-    #[serde(serialize_with = "optional")]
-    utilisation: Option<f64>,
-    /// Parts of the base's values.
-    #[serde(serialize_with = "number")]
-    F: f64,
-    #[serde(serialize_with = "number")]
-    delta: f64,
+    #[serde(flatten)]
+    values: ChangeValues,
     standard_error: ChangeErrorJson,
     /// Whether the errors are those of pairs of runs with the same seed.
     paired: bool,
@@ -181,11 +173,13 @@ impl ChangeJson {
     fn of(c: &Change) -> ChangeJson {
         let error = |k: &Known| k.error;
         ChangeJson {
-            F_kN: to_kn(c.force.value),
-            delta_m: c.deflection.value,
-            utilisation: c.utilisation.map(|k| k.value),
-            F: c.force_part,
-            delta: c.deflection_part,
+            values: ChangeValues {
+                F_kN: to_kn(c.force.value),
+                delta_m: c.deflection.value,
+                utilisation: c.utilisation.map(|k| k.value),
+                F: c.force_part,
+                delta: c.deflection_part,
+            },
             standard_error: ChangeErrorJson {
                 F_kN: error(&c.force).map(to_kn),
                 delta_m: error(&c.deflection),

@@ -76,13 +76,7 @@ impl DemFlags {
         let watch = Watch::start();
         let cases: Vec<Case> = jobs.iter().map(|job| job.case.clone()).collect();
         // Until the first run of a case has ended, its end is expected where the forecast has it.
-        let ends: Vec<f64> = cases
-            .iter()
-            .map(|case| {
-                let reached = case.outcome().map(|p| p.values().deflection);
-                reached.unwrap_or(0.2 * case.layout.spacing) + AFTER_BREAK
-            })
-            .collect();
+        let ends: Vec<f64> = cases.iter().map(|c| c.expected_break() + AFTER_BREAK).collect();
         let answers = checks(&cases, wanted, threads(self.threads), &|news| match news.what {
             What::Progress(now) => {
                 let (part, parts) = (news.index, news.total);

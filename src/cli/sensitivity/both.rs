@@ -1,6 +1,7 @@
 //! Tornadoes of forecast and check side by side, on one scale, so that they can be compared.
 
 use super::Studied;
+use super::text::drawing;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
 use crate::study::case::Outcome;
@@ -65,7 +66,7 @@ pub fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effec
             }
             (None, outcome) => missing(outcome),
         };
-        let sizes = |low: Option<f64>, high: Option<f64>| drawing([low, high], most);
+        let sizes = |low: Option<f64>, high: Option<f64>| drawing([low, high], most, HALF);
         let of = |step: &Step| step.change.and_then(|c| c.of(effect));
         let line = format!(
             "{:<9}{:>9}{:>9}  {} {:>9}{:>9}  {}",
@@ -101,27 +102,6 @@ fn found(step: &CheckedStep, scale: &Scale) -> String {
     }
 }
 
-/// The two bars from the middle, `|`, to both sides: `-` lowered, `=` raised, `#` both.
-fn drawing(changes: [Option<f64>; 2], most: f64) -> String {
-    let half = HALF as isize;
-    let [low, high] = changes.map(|change| {
-        // At most HALF by the choice of `most`.
-        if most > 0.0 { (change.unwrap_or(0.0) / most * HALF as f64).round() as isize } else { 0 }
-    });
-    let covers = |end: isize, at: isize| {
-        if end < 0 { (end..0).contains(&at) } else { (1..=end).contains(&at) }
-    };
-    (-half..=half)
-        .map(|at| match (at, covers(low, at), covers(high, at)) {
-            (0, ..) => '|',
-            (_, true, true) => '#',
-            (_, true, false) => '-',
-            (_, false, true) => '=',
-            _ => ' ',
-        })
-        .collect()
-}
-
 fn largest_error(checked: &CheckedSensitivity, effect: Effect) -> Option<f64> {
     let steps = checked.bars.iter().flat_map(|bar| [&bar.lowered, &bar.raised]);
     steps.filter_map(|s| s.change.and_then(|c| c.of(effect))?.error).reduce(f64::max)
@@ -148,8 +128,8 @@ mod tests {
     #[test]
     fn bars_run_from_the_middle() {
         // Both ways onto the same side, and one way each.
-        assert_eq!(drawing([Some(1.0), Some(0.5)], 1.0), "       |####---");
-        assert_eq!(drawing([Some(-1.0), Some(0.5)], 1.0), "-------|====   ");
-        assert_eq!(drawing([None, None], 0.0), "       |       ");
+        assert_eq!(drawing([Some(1.0), Some(0.5)], 1.0, HALF), "       |####---");
+        assert_eq!(drawing([Some(-1.0), Some(0.5)], 1.0, HALF), "-------|====   ");
+        assert_eq!(drawing([None, None], 0.0, HALF), "       |       ");
     }
 }

@@ -5,7 +5,7 @@ use crate::cli::dem::csv as dem_csv;
 use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
-use crate::cli::shapes::{Head, InputsJson, WarningJson};
+use crate::cli::shapes::{ChangeValues, Head, InputsJson, WarningJson};
 use crate::study::case::Case;
 use crate::study::case::{Input, Outcome};
 use crate::study::sensitivity::dem::{CheckedBar, CheckedStep};
@@ -85,17 +85,8 @@ struct StepJson<'a> {
 #[derive(Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
 struct ChangeJson {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
-    #[serde(serialize_with = "optional")]
-    utilisation: Option<f64>,
-    /// Parts of the base's values.
-    #[serde(serialize_with = "number")]
-    F: f64,
-    #[serde(serialize_with = "number")]
-    delta: f64,
+    #[serde(flatten)]
+    values: ChangeValues,
     other_branch: bool,
 }
 
@@ -184,11 +175,13 @@ impl<'a> BarJson<'a> {
 impl ChangeJson {
     fn of(c: &Change) -> ChangeJson {
         ChangeJson {
-            F_kN: to_kn(c.force),
-            delta_m: c.deflection,
-            utilisation: c.utilisation,
-            F: c.force_part,
-            delta: c.deflection_part,
+            values: ChangeValues {
+                F_kN: to_kn(c.force),
+                delta_m: c.deflection,
+                utilisation: c.utilisation,
+                F: c.force_part,
+                delta: c.deflection_part,
+            },
             other_branch: c.other_branch,
         }
     }

@@ -109,7 +109,8 @@ fn row(bar: &Bar, effect: Effect, most: f64, unit: LengthUnit) -> String {
         (None, Err(why)) => why.short().to_string(),
         (None, Ok(_)) => "-".to_string(),
     };
-    let drawn = drawing(bar, effect, most);
+    let change = |step: &Step| step.change.and_then(|c| c.of(effect));
+    let drawn = drawing([change(&bar.lowered), change(&bar.raised)], most, HALF);
     let line = format!(
         "{:<9}{range:<20}{:>9}{:>9} {drawn}",
         bar.input.symbol(),
@@ -119,15 +120,13 @@ fn row(bar: &Bar, effect: Effect, most: f64, unit: LengthUnit) -> String {
     line.trim_end().to_string()
 }
 
-/// The two bars from the middle, `|`, to both sides.
-fn drawing(bar: &Bar, effect: Effect, most: f64) -> String {
-    let cells = |step: &Step| -> isize {
-        let change = step.change.and_then(|c| c.of(effect)).unwrap_or(0.0);
-        // At most HALF by the choice of `most`.
-        if most > 0.0 { (change / most * HALF as f64).round() as isize } else { 0 }
-    };
-    let (low, high) = (cells(&bar.lowered), cells(&bar.raised));
-    let half = HALF as isize;
+/// The two bars from the middle, `|`, to both sides: `-` lowered, `=` raised, `#` both.
+pub(super) fn drawing(changes: [Option<f64>; 2], most: f64, half: usize) -> String {
+    let half = half as isize;
+    let [low, high] = changes.map(|change| {
+        // At most `half` by the choice of `most`.
+        if most > 0.0 { (change.unwrap_or(0.0) / most * half as f64).round() as isize } else { 0 }
+    });
     let covers = |end: isize, at: isize| {
         if end < 0 { (end..0).contains(&at) } else { (1..=end).contains(&at) }
     };

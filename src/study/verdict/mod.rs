@@ -152,6 +152,26 @@ impl Verdict {
         self.warnings.iter().any(|w| w == "bifurcation")
     }
 
+    /// Its warnings as sentences without a final stop.
+    pub fn remarks(&self) -> Vec<String> {
+        let sentence = |name: &String| {
+            match name.as_str() {
+            "bifurcation" => {
+                "the answer depends on a millimetre of the punch's place: only the band counts, never one run".into()
+            }
+            "diverged" => "some runs ran away and were left out".into(),
+            "cancelled" => "ended early: these are the runs made by then".into(),
+            other => other.to_string(),
+        }
+        };
+        self.warnings.iter().map(sentence).collect()
+    }
+
+    /// Whether runs were left out because they ran away.
+    pub fn diverged(&self) -> bool {
+        self.warnings.iter().any(|w| w == "diverged")
+    }
+
     /// Whether there is a mean first break.
     pub fn broke(&self) -> bool {
         self.curve.failure.is_some()
