@@ -2,7 +2,7 @@
 
 /// An axis from 0 to a round end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// Distance of two ticks, in the unit shown.
     pub step: f64,
     /// Number of steps; the end is `step * steps`.
@@ -11,7 +11,7 @@ pub struct Axis {
 
 impl Axis {
     /// An axis that holds `largest` in at most `most` steps of 1, 2 or 5 times a power of ten.
-    pub fn holding(largest: f64, most: u32) -> Axis {
+    pub(crate) fn holding(largest: f64, most: u32) -> Axis {
         let largest = if largest.is_finite() && largest > 0.0 { largest } else { 1.0 };
         let most = most.max(1);
         let mut power = libm::floor(libm::log10(largest / f64::from(most))) as i32;
@@ -29,12 +29,12 @@ impl Axis {
     }
 
     /// The end of the axis.
-    pub fn end(&self) -> f64 {
+    pub(crate) fn end(&self) -> f64 {
         self.step * f64::from(self.steps)
     }
 
     /// The ticks with their labels, all of the same number of decimals.
-    pub fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let decimals = (-libm::floor(libm::log10(self.step * (1.0 + 1e-9)))).max(0.0) as usize;
         (0..=self.steps)
             .map(|i| {
@@ -47,19 +47,19 @@ impl Axis {
 
 /// An axis between two round ends, for values that do not begin at 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
+pub(crate) struct Range {
     /// First tick, in steps of `step`.
     first: f64,
     /// Distance of two ticks, in the unit shown.
-    pub step: f64,
+    pub(crate) step: f64,
     /// Number of steps.
-    pub steps: u32,
+    pub(crate) steps: u32,
 }
 
 impl Range {
     /// An axis that holds both values in at most `most` steps of 1, 2 or 5 times a power of ten. Where
     /// they are equal, or no numbers, it has some width all the same.
-    pub fn holding(least: f64, largest: f64, most: u32) -> Range {
+    pub(crate) fn holding(least: f64, largest: f64, most: u32) -> Range {
         let sound = least.is_finite() && largest.is_finite();
         let (mut low, mut high) =
             if sound { (least.min(largest), least.max(largest)) } else { (0.0, 1.0) };
@@ -81,18 +81,13 @@ impl Range {
         }
     }
 
-    /// The two ends of the axis.
-    pub fn ends(&self) -> (f64, f64) {
-        (self.first * self.step, (self.first + f64::from(self.steps)) * self.step)
-    }
-
     /// Where a value is on the axis: 0 at its start, 1 at its end.
-    pub fn part(&self, value: f64) -> f64 {
+    pub(crate) fn part(&self, value: f64) -> f64 {
         (value / self.step - self.first) / f64::from(self.steps)
     }
 
     /// The ticks with their labels, all of the same number of decimals.
-    pub fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let decimals = (-libm::floor(libm::log10(self.step * (1.0 + 1e-9)))).max(0.0) as usize;
         (0..=self.steps)
             .map(|i| {
@@ -127,7 +122,8 @@ mod tests {
     fn a_range_has_round_ends_around_what_it_holds() {
         let labels = |least, largest, most| {
             let range = Range::holding(least, largest, most);
-            let (low, high) = range.ends();
+            let low = range.first * range.step;
+            let high = (range.first + f64::from(range.steps)) * range.step;
             if f64::is_finite(least + largest) {
                 assert!(low <= least + 1e-9 && high >= largest - 1e-9, "{range:?}");
             }

@@ -22,7 +22,7 @@ pub struct Curve {
 
 impl Curve {
     /// The points in order.
-    pub fn points(&self) -> impl Iterator<Item = Point> + '_ {
+    pub(crate) fn points(&self) -> impl Iterator<Item = Point> + '_ {
         self.deflection
             .iter()
             .zip(&self.force)

@@ -8,7 +8,7 @@ use std::fmt;
 
 /// Fingerprint of inputs; equal inputs have equal fingerprints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Fingerprint(pub u64);
+pub struct Fingerprint(pub(crate) u64);
 
 impl fmt::Display for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -18,7 +18,7 @@ impl fmt::Display for Fingerprint {
 
 /// Gathers inputs, in an order that the caller keeps.
 #[derive(Debug, Clone)]
-pub struct Fingerprinter(u64);
+pub(crate) struct Fingerprinter(u64);
 
 /// Start value and factor of FNV-1a for 64 bits (Fowler, Noll, Vo).
 const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
@@ -26,22 +26,22 @@ const PRIME: u64 = 0x0000_0100_0000_01b3;
 
 impl Fingerprinter {
     /// Starts with a word for the kind of inputs, so that different kinds never look alike.
-    pub fn new(kind: &str) -> Self {
+    pub(crate) fn new(kind: &str) -> Self {
         Fingerprinter(OFFSET_BASIS).text(kind)
     }
 
     /// Takes a text; its length goes first, so that neighbours do not run together.
-    pub fn text(self, text: &str) -> Self {
+    pub(crate) fn text(self, text: &str) -> Self {
         self.bytes(&(text.len() as u64).to_le_bytes()).bytes(text.as_bytes())
     }
 
     /// Takes a number to the last bit; the two zeros are the same.
-    pub fn number(self, value: f64) -> Self {
+    pub(crate) fn number(self, value: f64) -> Self {
         self.bytes(&(value + 0.0).to_bits().to_le_bytes())
     }
 
     /// Takes a number that may be missing.
-    pub fn optional(self, value: Option<f64>) -> Self {
+    pub(crate) fn optional(self, value: Option<f64>) -> Self {
         match value {
             Some(value) => self.flag(true).number(value),
             None => self.flag(false),
@@ -49,12 +49,12 @@ impl Fingerprinter {
     }
 
     /// Takes a yes or no.
-    pub fn flag(self, yes: bool) -> Self {
+    pub(crate) fn flag(self, yes: bool) -> Self {
         self.bytes(&[u8::from(yes)])
     }
 
     /// The fingerprint of all that was taken.
-    pub fn finish(self) -> Fingerprint {
+    pub(crate) fn finish(self) -> Fingerprint {
         Fingerprint(self.0)
     }
 

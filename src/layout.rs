@@ -38,7 +38,7 @@ pub enum BranchRule {
 
 impl BranchRule {
     /// The word for people and files: `published` or `conservative`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             BranchRule::Published => "published",
             BranchRule::Conservative => "conservative",
@@ -47,9 +47,9 @@ impl BranchRule {
 }
 
 /// Smallest size that is taken for a size and not for rounding, m; keeps every quotient finite.
-pub const SMALLEST_LENGTH: f64 = 1.0e-6;
+pub(crate) const SMALLEST_LENGTH: f64 = 1.0e-6;
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
-pub const LARGEST_LENGTH: f64 = 100.0;
+pub(crate) const LARGEST_LENGTH: f64 = 100.0;
 
 impl Layout {
     /// Checks that the sizes make sense: finite, positive, plate and punch smaller than the spacing.
@@ -101,7 +101,7 @@ impl Layout {
     }
 
     /// The offsets brought within -L/2 to L/2, which is the same place in a neighbouring cell.
-    pub fn folded(&self) -> (f64, f64) {
+    pub(crate) fn folded(&self) -> (f64, f64) {
         (fold(self.ex, self.spacing), fold(self.ey, self.spacing))
     }
 

@@ -22,7 +22,7 @@ pub struct Problem {
 
 impl Problem {
     /// A problem with `field`, of which `message` says what is wrong.
-    pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
+    pub(crate) fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Problem {
             field: field.into(),
             value: String::new(),
@@ -33,25 +33,25 @@ impl Problem {
     }
 
     /// The same problem with the value that stood there.
-    pub fn value(mut self, value: impl Into<String>) -> Self {
+    pub(crate) fn value(mut self, value: impl Into<String>) -> Self {
         self.value = value.into();
         self
     }
 
     /// The same problem with the allowed range.
-    pub fn allowed(mut self, allowed: impl Into<String>) -> Self {
+    pub(crate) fn allowed(mut self, allowed: impl Into<String>) -> Self {
         self.allowed = allowed.into();
         self
     }
 
     /// The same problem with advice on what to do.
-    pub fn advice(mut self, advice: impl Into<String>) -> Self {
+    pub(crate) fn advice(mut self, advice: impl Into<String>) -> Self {
         self.advice = advice.into();
         self
     }
 
     /// The same problem seen from the parent: `under("layouts[2]")` turns `d` into `layouts[2].d`.
-    pub fn under(mut self, parent: &str) -> Self {
+    pub(crate) fn under(mut self, parent: &str) -> Self {
         self.field = match (parent.is_empty(), self.field.is_empty()) {
             (true, _) => self.field,
             (_, true) => parent.to_string(),

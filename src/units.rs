@@ -40,7 +40,7 @@ impl LengthUnit {
     }
 
     /// How many of this unit make a metre.
-    pub fn per_metre(self) -> f64 {
+    pub(crate) fn per_metre(self) -> f64 {
         match self {
             LengthUnit::Metre => 1.0,
             LengthUnit::Millimetre => 1000.0,
@@ -48,7 +48,7 @@ impl LengthUnit {
     }
 
     /// The other unit.
-    pub fn other(self) -> Self {
+    pub(crate) fn other(self) -> Self {
         match self {
             LengthUnit::Metre => LengthUnit::Millimetre,
             LengthUnit::Millimetre => LengthUnit::Metre,
@@ -57,7 +57,7 @@ impl LengthUnit {
 }
 
 /// Newtons in a kilonewton.
-pub const N_PER_KN: f64 = 1000.0;
+pub(crate) const N_PER_KN: f64 = 1000.0;
 
 /// Newtons to kilonewtons.
 pub fn to_kn(newton: f64) -> f64 {
@@ -65,12 +65,12 @@ pub fn to_kn(newton: f64) -> f64 {
 }
 
 /// Kilonewtons to newtons.
-pub fn from_kn(kilonewton: f64) -> f64 {
+pub(crate) fn from_kn(kilonewton: f64) -> f64 {
     kilonewton * N_PER_KN
 }
 
 /// Joules to kilojoules.
-pub fn to_kj(joule: f64) -> f64 {
+pub(crate) fn to_kj(joule: f64) -> f64 {
     joule / 1000.0
 }
 
@@ -238,13 +238,13 @@ pub fn shortest(value: f64) -> String {
 
 /// The number rounded to twelve significant digits, which takes away the noise of conversion and
 /// leaves far more than the method is good for; never the negative zero.
-pub fn without_noise(value: f64) -> f64 {
+pub(crate) fn without_noise(value: f64) -> f64 {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
 /// A length as entered, in `unit`, shortest form without the unit's sign: `0.32` or `320`.
-pub fn length_entry(metres: f64, unit: LengthUnit) -> String {
+pub(crate) fn length_entry(metres: f64, unit: LengthUnit) -> String {
     let text = shortest(metres * unit.per_metre());
     match unit {
         LengthUnit::Millimetre => text.strip_suffix(".0").unwrap_or(&text).to_string(),
@@ -259,7 +259,7 @@ pub fn length_entry(metres: f64, unit: LengthUnit) -> String {
 }
 
 /// A computed length with its unit at the precision of the method: `0.620 m` or `620 mm`.
-pub fn length_text(metres: f64, unit: LengthUnit) -> String {
+pub(crate) fn length_text(metres: f64, unit: LengthUnit) -> String {
     match unit {
         LengthUnit::Metre => format!("{metres:.3} m"),
         LengthUnit::Millimetre => format!("{:.0} mm", metres * 1000.0),
@@ -267,13 +267,13 @@ pub fn length_text(metres: f64, unit: LengthUnit) -> String {
 }
 
 /// A computed force in kN at three significant digits, with its unit: `31.0 kN`.
-pub fn force_text(newton: f64) -> String {
+pub(crate) fn force_text(newton: f64) -> String {
     format!("{} kN", significant(to_kn(newton), 3))
 }
 
 /// A utilisation in per cent at three digits, and at four where three would hide which side of 100 it
 /// is on: `96.1`, `100.2`.
-pub fn percent(utilisation: f64) -> String {
+pub(crate) fn percent(utilisation: f64) -> String {
     let text = significant(utilisation * 100.0, 3);
     // What just meets a limit does so to rounding.
     if text == "100" && (utilisation - 1.0).abs() > 1e-9 {
@@ -283,7 +283,7 @@ pub fn percent(utilisation: f64) -> String {
 }
 
 /// Reading and writing quantities in files: bare numbers are metres or kN, text may carry a unit.
-pub mod file {
+pub(crate) mod file {
     use super::{LengthUnit, Quantity, parse};
     use serde::{Deserializer, Serializer, de};
     use std::fmt;
@@ -333,51 +333,28 @@ pub mod file {
     }
 
     macro_rules! quantity_module {
-        ($name:ident, $optional:ident, $quantity:expr, $write:expr) => {
+        ($name:ident, $quantity:expr, $write:expr) => {
             /// For `#[serde(with = ...)]`: the field in SI, the file in its bare unit.
-            pub mod $name {
+            pub(crate) mod $name {
                 use super::*;
                 /// Reads the quantity into SI.
-                pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+                pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+                    d: D,
+                ) -> Result<f64, D::Error> {
                     d.deserialize_any(Reader($quantity))
                 }
                 /// Writes the quantity as a bare number.
-                pub fn serialize<S: Serializer>(v: &f64, s: S) -> Result<S::Ok, S::Error> {
+                pub(crate) fn serialize<S: Serializer>(v: &f64, s: S) -> Result<S::Ok, S::Error> {
                     let write: fn(f64) -> f64 = $write;
                     s.serialize_f64(write(*v))
-                }
-            }
-            /// The same for an optional field.
-            pub mod $optional {
-                use super::*;
-                struct Wrapped(f64);
-                impl<'de> serde::Deserialize<'de> for Wrapped {
-                    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-                        super::$name::deserialize(d).map(Wrapped)
-                    }
-                }
-                /// Reads the quantity into SI.
-                pub fn deserialize<'de, D: Deserializer<'de>>(
-                    d: D,
-                ) -> Result<Option<f64>, D::Error> {
-                    let v: Option<Wrapped> = serde::Deserialize::deserialize(d)?;
-                    Ok(v.map(|w| w.0))
-                }
-                /// Writes the quantity as a bare number.
-                pub fn serialize<S: Serializer>(v: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
-                    let write: fn(f64) -> f64 = $write;
-                    match v {
-                        Some(v) => s.serialize_some(&write(*v)),
-                        None => s.serialize_none(),
-                    }
                 }
             }
         };
     }
 
-    quantity_module!(length, length_option, Quantity::Length, |v| v);
-    quantity_module!(force, force_option, Quantity::Force, crate::units::to_kn);
-    quantity_module!(number, number_option, Quantity::Number, |v| v);
+    quantity_module!(length, Quantity::Length, |v| v);
+    quantity_module!(force, Quantity::Force, crate::units::to_kn);
+    quantity_module!(number, Quantity::Number, |v| v);
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 /// The known word that differs least from `typed`, if it is near enough to be what was meant: at most
 /// one change for every three letters, capitals aside, or the only one that begins so.
-pub fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
     let typed = typed.trim().to_lowercase();
     known
         .iter()
@@ -25,7 +25,7 @@ fn only_beginning<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// Letters to insert, remove or replace to make one word of the other; capitals count.
-pub fn distance(a: &str, b: &str) -> usize {
+pub(crate) fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.chars().enumerate() {

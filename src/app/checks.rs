@@ -6,47 +6,47 @@
 //! are kept here only.
 
 use super::App;
-use super::message::Effect;
-use super::settings::Item;
+use super::message::Command;
+use super::settings::SettingItem;
 use crate::curve::Point;
 use crate::dem::Fidelity;
 use crate::fingerprint::Fingerprint;
-use crate::job::checks::{Checks, Target};
+use crate::job::checks::{CheckTarget, Checks};
 use crate::job::order::{News, Order, Progress, Task, What};
 use crate::project::Project;
-use crate::study::verdict::Verdict;
-use crate::study::verdict::Wanted;
-use crate::study::verdict::make::{Made, expected_break, fingerprint};
-use crate::study::verdict::relief::Relief;
+use crate::study::result::CheckResult;
+use crate::study::result::Wanted;
+use crate::study::result::make::{Made, expected_break, fingerprint};
+use crate::study::result::relief::Relief;
 use crate::units::{force_text, length_text, significant};
 use std::sync::Arc;
 
 /// Runs of a live check: few enough to be there while one turns a value, enough for a band.
-pub const LIVE_RUNS: usize = 4;
+pub(crate) const LIVE_RUNS: usize = 4;
 
 /// What live checks are asked for.
-pub fn live_wanted() -> Wanted {
+pub(crate) fn live_wanted() -> Wanted {
     Wanted { fidelity: Fidelity::Quick, runs: Some(LIVE_RUNS), seed: 0 }
 }
 
 /// An order of the user's that runs.
 #[derive(Debug, Clone, Default)]
-pub struct Running {
+pub struct RunningCheck {
     number: u64,
     /// How far it is; nothing in its first quarter of a second.
-    pub progress: Option<Progress>,
+    pub(crate) progress: Option<Progress>,
     /// How many layouts it is for.
-    pub targets: usize,
+    pub(crate) targets: usize,
     /// Layouts that could not be checked.
     refused: Vec<String>,
 }
 
 /// All that the state knows of checks.
 #[derive(Debug, Default)]
-pub struct Work {
+pub(crate) struct Work {
     /// Orders so far.
     orders: u64,
-    running: Option<Running>,
+    running: Option<RunningCheck>,
     /// The live order that runs or waits.
     live_order: Option<u64>,
     /// What the last live order was for.
@@ -78,16 +78,16 @@ pub enum Standing {
 
 /// A result to be shown.
 #[derive(Debug, Clone, Copy)]
-pub struct Shown<'a> {
+pub struct ShownCheck<'a> {
     /// The result.
-    pub verdict: &'a Verdict,
+    pub result: &'a CheckResult,
     /// The shape of the net, where this session made the result.
     pub relief: Option<&'a Relief>,
     /// How it stands to the inputs.
     pub standing: Standing,
 }
 
-impl Shown<'_> {
+impl ShownCheck<'_> {
     /// Whether its inputs are not the layout's any more.
     pub fn stale(&self) -> bool {
         self.standing == Standing::Stale
@@ -103,16 +103,17 @@ impl App {
     }
 
     /// The result of a layout that the project keeps, and whether it is current.
-    pub fn kept_check(&self, index: usize) -> Option<Shown<'_>> {
+    pub fn kept_check(&self, index: usize) -> Option<ShownCheck<'_>> {
         let layout = self.project.layouts.get(index)?;
-        let verdict = layout.check.as_deref()?;
-        let now = self.check_inputs(index, &verdict.wanted);
-        let current = now.is_some_and(|now| verdict.current(now));
-        let shape = self.work.shapes.iter().find(|(uid, made)| {
-            *uid == layout.uid && made.verdict.inputs == verdict.inputs && current
-        });
-        Some(Shown {
-            verdict,
+        let kept = layout.check.as_deref()?;
+        let now = self.check_inputs(index, &kept.wanted);
+        let current = now.is_some_and(|now| kept.current(now));
+        let shape =
+            self.work.shapes.iter().find(|(uid, made)| {
+                *uid == layout.uid && made.result.inputs == kept.inputs && current
+            });
+        Some(ShownCheck {
+            result: kept,
             relief: shape.and_then(|(_, made)| made.relief.as_ref()),
             standing: if current { Standing::Current } else { Standing::Stale },
         })
@@ -120,43 +121,43 @@ impl App {
 
     /// The result to show for the selected layout: a current one that was asked for, or else a live one
     /// of these inputs, or else a stale one.
-    pub fn shown_check(&self) -> Option<Shown<'_>> {
+    pub fn shown_check(&self) -> Option<ShownCheck<'_>> {
         let kept = self.kept_check(self.selected);
         if kept.is_some_and(|shown| !shown.stale()) || !self.live() {
             return kept;
         }
         let live = self.work.live_result.as_ref().filter(|l| l.uid == self.layout().uid);
         let Some(live) = live else { return kept };
-        let now = self.check_inputs(self.selected, &live.made.verdict.wanted);
-        let current = now.is_some_and(|now| live.made.verdict.current(now));
+        let now = self.check_inputs(self.selected, &live.made.result.wanted);
+        let current = now.is_some_and(|now| live.made.result.current(now));
         if !current && kept.is_some() {
             return kept;
         }
-        Some(Shown {
-            verdict: &live.made.verdict,
+        Some(ShownCheck {
+            result: &live.made.result,
             relief: live.made.relief.as_ref().filter(|_| current),
             standing: if current { Standing::Live(live.more) } else { Standing::Stale },
         })
     }
 
     /// Why there is no live result for the selected layout.
-    pub fn live_refusal(&self) -> Option<&str> {
+    pub(crate) fn live_refusal(&self) -> Option<&str> {
         let (uid, why) = self.work.live_refused.as_ref()?;
         (self.live() && *uid == self.layout().uid).then_some(why.as_str())
     }
 
     /// The order of the user's that runs.
-    pub fn running(&self) -> Option<&Running> {
+    pub fn running(&self) -> Option<&RunningCheck> {
         self.work.running.as_ref()
     }
 
     /// Whether a live check of the selected layout is under way.
-    pub fn live_running(&self) -> bool {
+    pub(crate) fn live_running(&self) -> bool {
         self.work.live_order.is_some()
     }
 
     /// The curves of the selected layout's runs as far as they have come.
-    pub fn growing(&self) -> &[Vec<Point>] {
+    pub(crate) fn growing(&self) -> &[Vec<Point>] {
         let progress = self.work.running.as_ref().and_then(|r| r.progress.as_ref());
         match progress {
             Some(progress) if progress.uid == self.layout().uid => &progress.curves,
@@ -165,33 +166,33 @@ impl App {
     }
 
     /// Whether a quick check follows each edit.
-    pub fn live(&self) -> bool {
+    pub(crate) fn live(&self) -> bool {
         self.settings.live
     }
 
     /// What a check is asked for.
-    pub fn wanted(&self) -> Wanted {
+    pub(crate) fn wanted(&self) -> Wanted {
         Wanted { fidelity: self.settings.fidelity, runs: self.settings.runs, seed: 0 }
     }
 
     /// Takes the next fidelity.
-    pub(super) fn next_fidelity(&mut self) -> Vec<Effect> {
-        let word = self.settings.neighbour(Item::Fidelity, true);
+    pub(super) fn next_fidelity(&mut self) -> Vec<Command> {
+        let word = self.settings.neighbour(SettingItem::Fidelity, true);
         // The word is one of the list, so it is taken.
-        let effects = self.set_setting(Item::Fidelity, word).unwrap_or_default();
+        let effects = self.set_setting(SettingItem::Fidelity, word).unwrap_or_default();
         let aim = 100.0 * self.settings.fidelity.aim();
         self.inform(format!("checks are {word}: errors within {} %", significant(aim, 1)));
         effects
     }
 
-    fn target(&self, index: usize) -> Option<Target> {
+    fn target(&self, index: usize) -> Option<CheckTarget> {
         let layout = &self.project.layouts[index];
         let result = &self.results[index];
         let mesh = result.mesh.clone()?;
         let field = result.forecast().and_then(|f| f.field);
         let geometry = layout.layout();
         let expected = expected_break(&geometry, field.map(|f| f.values));
-        Some(Target { uid: layout.uid, layout: geometry, mesh, expected })
+        Some(CheckTarget { uid: layout.uid, layout: geometry, mesh, expected })
     }
 
     pub(super) fn order(&mut self, task: Task) -> Order {
@@ -201,22 +202,22 @@ impl App {
     }
 
     /// Orders the check of the selected layout, or of all.
-    pub(super) fn start_check(&mut self, all: bool) -> Vec<Effect> {
+    pub(super) fn start_check(&mut self, all: bool) -> Vec<Command> {
         let indices =
             if all { 0..self.project.layouts.len() } else { self.selected..self.selected + 1 };
-        let targets: Vec<Target> = indices.filter_map(|i| self.target(i)).collect();
+        let targets: Vec<CheckTarget> = indices.filter_map(|i| self.target(i)).collect();
         if targets.is_empty() {
             self.complain("this layout's mesh is not known, so it cannot be checked");
             return Vec::new();
         }
-        let running = Running { targets: targets.len(), ..Running::default() };
+        let running = RunningCheck { targets: targets.len(), ..RunningCheck::default() };
         let order =
             self.order(Task::Checks(Checks { targets, wanted: self.wanted(), live: false }));
         self.drop_campaign();
-        self.work.running = Some(Running { number: order.number, ..running });
+        self.work.running = Some(RunningCheck { number: order.number, ..running });
         // The worker ends a live check for it.
         self.work.live_order = None;
-        vec![Effect::Work(order)]
+        vec![Command::Work(order)]
     }
 
     /// Forgets the orders that run or wait: one that was asked for takes their place.
@@ -226,9 +227,9 @@ impl App {
     }
 
     /// Ends what runs behind the screen.
-    pub(super) fn stop_work(&mut self) -> Vec<Effect> {
+    pub(super) fn stop_work(&mut self) -> Vec<Command> {
         if self.campaign().is_some() {
-            return vec![Effect::StopWork];
+            return vec![Command::StopWork];
         }
         if self.work.running.is_none() && self.work.live_order.is_none() {
             self.inform("nothing is running; q quits, ? helps");
@@ -238,15 +239,15 @@ impl App {
             self.inform("live check ended; l switches live mode off");
         }
         self.work.live_order = None;
-        vec![Effect::StopWork]
+        vec![Command::StopWork]
     }
 
     /// Switches live mode.
-    pub(super) fn toggle_live(&mut self) -> Vec<Effect> {
+    pub(super) fn toggle_live(&mut self) -> Vec<Command> {
         let on = !self.live();
         // Both words are known.
         let effects =
-            self.set_setting(Item::Live, if on { "on" } else { "off" }).unwrap_or_default();
+            self.set_setting(SettingItem::Live, if on { "on" } else { "off" }).unwrap_or_default();
         if on {
             self.inform("live: a quick check follows each edit; l switches it off");
             return effects;
@@ -256,25 +257,25 @@ impl App {
     }
 
     /// Live mode was switched off: what it made goes, and what it runs ends.
-    pub(super) fn end_live(&mut self) -> Option<Effect> {
+    pub(super) fn end_live(&mut self) -> Option<Command> {
         self.work.live_key = None;
         self.work.live_result = None;
         let stop = self.work.live_order.take().is_some() && self.work.running.is_none();
-        stop.then_some(Effect::StopWork)
+        stop.then_some(Command::StopWork)
     }
 
     /// Another project takes the place of this one: what runs ends, and no result is left. Numbers of
     /// orders go on, so that late news of the former project find nobody.
-    pub(super) fn forget_work(&mut self) -> Option<Effect> {
+    pub(super) fn forget_work(&mut self) -> Option<Command> {
         let campaign = self.campaign().is_some();
         let busy = campaign || self.work.running.is_some() || self.work.live_order.is_some();
         self.drop_campaign();
         self.work = Work { orders: self.work.orders, ..Work::default() };
-        busy.then_some(Effect::StopWork)
+        busy.then_some(Command::StopWork)
     }
 
     /// A live check, if the inputs are others than those of the last one.
-    pub(super) fn follow_edit(&mut self) -> Option<Effect> {
+    pub(super) fn follow_edit(&mut self) -> Option<Command> {
         if !self.live() {
             return None;
         }
@@ -289,11 +290,11 @@ impl App {
         let target = self.target(self.selected).filter(|_| key.is_some() && !known);
         let Some(target) = target else {
             let stop = self.work.live_order.take().is_some() && self.work.running.is_none();
-            return stop.then_some(Effect::StopWork);
+            return stop.then_some(Command::StopWork);
         };
         let order = self.order(Task::Checks(Checks { targets: vec![target], wanted, live: true }));
         self.work.live_order = Some(order.number);
-        Some(Effect::Work(order))
+        Some(Command::Work(order))
     }
 
     /// Takes news of work.
@@ -365,31 +366,31 @@ impl App {
     /// Keeps a result in the project.
     fn keep_check(&mut self, uid: u64, made: Arc<Made>) {
         let Some(index) = self.project.layouts.iter().position(|l| l.uid == uid) else { return };
-        let verdict = &made.verdict;
-        if verdict.curve.deflection.is_empty() {
+        let kept = &made.result;
+        if kept.curve.deflection.is_empty() {
             return;
         }
         let have_better = self.kept_check(index).is_some_and(|old| {
-            !old.stale() && !old.verdict.partial() && old.verdict.runs > verdict.runs
+            !old.stale() && !old.result.partial() && old.result.runs > kept.runs
         });
-        if verdict.partial() && have_better {
+        if kept.partial() && have_better {
             return;
         }
         let name = &self.project.layouts[index].name;
-        let text = if verdict.broke() {
+        let text = if kept.broke() {
             format!(
                 "{name}: {} at {}, {} {}",
-                force_text(verdict.force.mean),
-                length_text(verdict.deflection.mean, self.units()),
-                verdict.runs,
-                if verdict.runs == 1 { "run" } else { "runs" }
+                force_text(kept.force.mean),
+                length_text(kept.deflection.mean, self.units()),
+                kept.runs,
+                if kept.runs == 1 { "run" } else { "runs" }
             )
         } else {
-            format!("{name}: no wire broke, peak {}", force_text(verdict.peak.force))
+            format!("{name}: no wire broke, peak {}", force_text(kept.peak.force))
         };
         self.inform(text);
         let mut project = (*self.project).clone();
-        project.layouts[index].check = Some(Arc::new(verdict.clone()));
+        project.layouts[index].check = Some(Arc::new(kept.clone()));
         self.project = Arc::new(project);
         self.work.shapes.retain(|(other, _)| *other != uid);
         self.work.shapes.push((uid, made));

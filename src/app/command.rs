@@ -2,7 +2,7 @@
 
 use super::App;
 use super::look::{ColorMode, Glyphs};
-use super::message::Effect;
+use super::message::Command;
 use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ impl App {
     ///
     /// # Errors
     /// Why it cannot be done; the text stays in the line then.
-    pub(super) fn command(&mut self, text: &str) -> Result<Vec<Effect>, String> {
+    pub(super) fn command(&mut self, text: &str) -> Result<Vec<Command>, String> {
         let text = text.trim();
         let (word, rest) = match text.split_once(char::is_whitespace) {
             Some((word, rest)) => (word, rest.trim()),
@@ -29,7 +29,7 @@ impl App {
             "w!" => return Ok(vec![self.save_effect(path_of(rest), true)]),
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
-            "q!" => return Ok(vec![Effect::ForgetRecovery, Effect::Quit]),
+            "q!" => return Ok(vec![Command::ForgetRecovery, Command::Quit]),
             "export" => return self.export_command(rest, false),
             "export!" => return self.export_command(rest, true),
             "check" => match rest {

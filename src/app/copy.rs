@@ -2,7 +2,7 @@
 
 use super::App;
 use super::field::Field;
-use super::message::Effect;
+use super::message::Command;
 use crate::units::{force_text, length_text, shortest, significant, to_kn};
 
 /// What is said when something was sent; nobody tells whether the terminal took it.
@@ -15,30 +15,30 @@ const COLUMNS: &str = "layout\tmesh\td_m\tL_m\tD_m\tex_m\tey_m\tF_kN\tdelta_m\td
 
 impl App {
     /// Copies the answer of the selected layout.
-    pub(super) fn copy_answer(&mut self) -> Vec<Effect> {
+    pub(super) fn copy_answer(&mut self) -> Vec<Command> {
         let text = self.answer_line();
         self.copy("the answer", text)
     }
 
     /// Copies the table of all layouts.
-    pub(super) fn copy_table(&mut self) -> Vec<Effect> {
+    pub(super) fn copy_table(&mut self) -> Vec<Command> {
         let text = self.layouts_table();
         self.copy("the table of layouts", text)
     }
 
     /// Copies the page that is being read.
-    pub(super) fn copy_page(&mut self) -> Vec<Effect> {
+    pub(super) fn copy_page(&mut self) -> Vec<Command> {
         let lines: Vec<String> = self.page_lines().into_iter().map(|line| line.text).collect();
         self.copy("the page", lines.join("\n") + "\n")
     }
 
-    fn copy(&mut self, what: &str, text: String) -> Vec<Effect> {
+    fn copy(&mut self, what: &str, text: String) -> Vec<Command> {
         self.inform(format!("{what}: {SENT}"));
-        vec![Effect::Copy { text }]
+        vec![Command::Copy { text }]
     }
 
     /// The selected layout with its answer, on one line.
-    pub fn answer_line(&self) -> String {
+    pub(crate) fn answer_line(&self) -> String {
         let layout = self.layout();
         let m = |v: f64| length_text(v, self.units());
         let answer = match (&self.result().forecast, self.result().forecast().and_then(|f| f.field))
@@ -63,11 +63,11 @@ impl App {
                 if forecast.extrapolated() {
                     text += ", extrapolated";
                 }
-                if let Some(shown) = self.shown_check().filter(|shown| shown.verdict.broke()) {
+                if let Some(shown) = self.shown_check().filter(|shown| shown.result.broke()) {
                     text += &format!(
                         "; check {}, {}{}",
-                        force_text(shown.verdict.force.mean),
-                        m(shown.verdict.deflection.mean),
+                        force_text(shown.result.force.mean),
+                        m(shown.result.deflection.mean),
                         if shown.stale() { " (stale)" } else { "" }
                     );
                 }
@@ -82,11 +82,11 @@ impl App {
     }
 
     /// All layouts with their results, a line each, tabs between the columns.
-    pub fn layouts_table(&self) -> String {
+    pub(crate) fn layouts_table(&self) -> String {
         let mut table = format!("{COLUMNS}\n");
         let layouts = self.project().layouts.iter().zip(self.results());
         for (index, (layout, result)) in layouts.enumerate() {
-            let check = self.kept_check(index).filter(|shown| shown.verdict.broke());
+            let check = self.kept_check(index).filter(|shown| shown.result.broke());
             let forecast = result.forecast();
             let field = forecast.and_then(|f| f.field).map(|f| f.values);
             let at_force = result.design.and_then(|d| d.at_force);
@@ -112,8 +112,8 @@ impl App {
                 plain(at_force.and_then(|a| a.deflection)),
                 plain(layout.allowable_deflection),
                 kn(at_deflection.map(|a| a.force)),
-                kn(check.map(|c| c.verdict.force.mean)),
-                plain(check.map(|c| c.verdict.deflection.mean)),
+                kn(check.map(|c| c.result.force.mean)),
+                plain(check.map(|c| c.result.deflection.mean)),
                 check.map_or(String::new(), |c| c.stale().to_string()),
                 warnings.join(" "),
             ];

@@ -26,7 +26,7 @@ impl Derived {
 }
 
 /// The design question of a layout.
-pub fn question(layout: &NamedLayout) -> Question {
+pub(crate) fn question(layout: &NamedLayout) -> Question {
     Question {
         force: layout.design_force,
         deflection: layout.allowable_deflection,
@@ -36,7 +36,7 @@ pub fn question(layout: &NamedLayout) -> Question {
 }
 
 /// The results of one layout of a project.
-pub fn one(project: &Project, layout: &NamedLayout) -> Derived {
+pub(crate) fn one(project: &Project, layout: &NamedLayout) -> Derived {
     let mesh = project.mesh(layout);
     let result = match &mesh {
         Some(mesh) => forecast(&layout.layout(), mesh, layout.branch),
@@ -50,6 +50,6 @@ pub fn one(project: &Project, layout: &NamedLayout) -> Derived {
 }
 
 /// The results of all layouts of a project, in order.
-pub fn all(project: &Project) -> Vec<Derived> {
+pub(crate) fn all(project: &Project) -> Vec<Derived> {
     project.layouts.iter().map(|layout| one(project, layout)).collect()
 }

@@ -9,11 +9,11 @@ use std::sync::Arc;
 
 /// A choice of mesh: the type, and whether the project already names it.
 #[derive(Debug, Clone)]
-pub struct MeshChoice {
+pub(crate) struct MeshChoice {
     /// The mesh.
-    pub mesh: Arc<MeshType>,
+    pub(crate) mesh: Arc<MeshType>,
     /// Whether it is written out in the project file.
-    pub inline: bool,
+    pub(crate) inline: bool,
 }
 
 impl App {
@@ -169,7 +169,7 @@ impl App {
     }
 
     /// The meshes to choose from: the project's own first, then the catalogue.
-    pub fn meshes(&self) -> Vec<MeshChoice> {
+    pub(crate) fn meshes(&self) -> Vec<MeshChoice> {
         let written_out = |id: &str| {
             self.project.meshes.iter().any(|m| matches!(m, MeshUse::Inline(mesh) if mesh.id == id))
         };

@@ -7,7 +7,7 @@ use tui_input::{Input, InputRequest};
 
 /// What the text is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Target {
+pub(crate) enum EditTarget {
     /// The value of an input.
     Value(Field),
     /// The name of the selected layout.
@@ -22,29 +22,29 @@ pub enum Target {
     Study(Typed),
 }
 
-impl Target {
+impl EditTarget {
     /// What the prompt says.
-    pub fn prompt(self) -> &'static str {
+    pub(crate) fn prompt(self) -> &'static str {
         match self {
-            Target::Value(_) => "value",
-            Target::Name => "name",
-            Target::Note => "note",
-            Target::Command => ":",
-            Target::File => "open",
-            Target::Study(typed) => typed.prompt(),
+            EditTarget::Value(_) => "value",
+            EditTarget::Name => "name",
+            EditTarget::Note => "note",
+            EditTarget::Command => ":",
+            EditTarget::File => "open",
+            EditTarget::Study(typed) => typed.prompt(),
         }
     }
 }
 
 /// A line being typed.
 #[derive(Debug, Clone)]
-pub struct Entry {
+pub struct LineEntry {
     /// What it is for.
-    pub target: Target,
+    pub(crate) target: EditTarget,
     /// The text with its cursor.
-    pub input: Input,
+    pub(crate) input: Input,
     /// Why the text was refused, until it is changed.
-    pub error: Option<String>,
+    pub(crate) error: Option<String>,
 }
 
 /// Most characters taken in one line.
@@ -52,7 +52,7 @@ const LONGEST: usize = 500;
 
 /// What a key did to the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
+pub(crate) enum LineKey {
     /// The line goes on.
     Typing,
     /// Enter: take the text.
@@ -61,29 +61,29 @@ pub enum Outcome {
     Drop,
 }
 
-impl Entry {
+impl LineEntry {
     /// A line for `target` that starts as `text`, cursor at its end.
-    pub fn new(target: Target, text: impl Into<String>) -> Entry {
-        Entry { target, input: Input::new(text.into()), error: None }
+    pub(crate) fn new(target: EditTarget, text: impl Into<String>) -> LineEntry {
+        LineEntry { target, input: Input::new(text.into()), error: None }
     }
 
     /// The text so far.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         self.input.value()
     }
 
     /// Index of the character under the cursor.
-    pub fn cursor(&self) -> usize {
+    pub(crate) fn cursor(&self) -> usize {
         self.input.cursor()
     }
 
     /// What a key does.
-    pub fn key(&mut self, key: Key) -> Outcome {
+    pub(crate) fn key(&mut self, key: Key) -> LineKey {
         use InputRequest as R;
         let request = match key {
-            Key { code: Code::Enter, .. } => return Outcome::Take,
-            Key { code: Code::Esc, .. } => return Outcome::Drop,
-            Key { code: Code::Char('g' | 'c'), ctrl: true, .. } => return Outcome::Drop,
+            Key { code: Code::Enter, .. } => return LineKey::Take,
+            Key { code: Code::Esc, .. } => return LineKey::Drop,
+            Key { code: Code::Char('g' | 'c'), ctrl: true, .. } => return LineKey::Drop,
             Key { code: Code::Char(c), ctrl: false, alt: false, .. } => {
                 return self.insert(c);
             }
@@ -94,8 +94,8 @@ impl Entry {
             Key { code: Code::Char('w'), ctrl: true, .. } => R::DeletePrevWord,
             Key { code: Code::Char('h'), ctrl: true, .. } | Key { code: Code::Backspace, .. } => {
                 // Backspace in an empty command line leaves it, as in other programs.
-                if self.target == Target::Command && self.text().is_empty() {
-                    return Outcome::Drop;
+                if self.target == EditTarget::Command && self.text().is_empty() {
+                    return LineKey::Drop;
                 }
                 R::DeletePrevChar
             }
@@ -106,27 +106,27 @@ impl Entry {
             Key { code: Code::Right, .. } => R::GoToNextChar,
             Key { code: Code::Home, .. } => R::GoToStart,
             Key { code: Code::End, .. } => R::GoToEnd,
-            _ => return Outcome::Typing,
+            _ => return LineKey::Typing,
         };
         if self.input.handle(request).is_some_and(|change| change.value) {
             self.error = None;
         }
-        Outcome::Typing
+        LineKey::Typing
     }
 
     /// Inserts pasted text; line ends and tabs become spaces, other control characters are left out.
-    pub fn paste(&mut self, text: &str) {
+    pub(crate) fn paste(&mut self, text: &str) {
         for c in text.trim_end_matches(['\r', '\n']).chars() {
             let c = if matches!(c, '\r' | '\n' | '\t') { ' ' } else { c };
             self.insert(c);
         }
     }
 
-    fn insert(&mut self, c: char) -> Outcome {
+    fn insert(&mut self, c: char) -> LineKey {
         if !c.is_control() && self.text().chars().count() < LONGEST {
             self.input.handle(InputRequest::InsertChar(c));
             self.error = None;
         }
-        Outcome::Typing
+        LineKey::Typing
     }
 }

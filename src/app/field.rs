@@ -30,7 +30,7 @@ pub enum Field {
 
 /// A step of a value by an arrow key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StepSize {
+pub(crate) enum StepSize {
     /// The small step.
     Fine,
     /// The large step.
@@ -42,7 +42,7 @@ const STEP_GRAIN: f64 = 1.0e4;
 
 impl Field {
     /// All inputs, in the order of the screen.
-    pub const ALL: [Field; 9] = [
+    pub(crate) const ALL: [Field; 9] = [
         Field::Plate,
         Field::Spacing,
         Field::Punch,
@@ -70,7 +70,7 @@ impl Field {
     }
 
     /// The input in a word or two.
-    pub fn words(self) -> &'static str {
+    pub(crate) fn words(self) -> &'static str {
         match self {
             Field::Plate => "plate",
             Field::Spacing => "spacing",
@@ -85,7 +85,7 @@ impl Field {
     }
 
     /// The input in a whole phrase, for help and messages.
-    pub fn phrase(self) -> &'static str {
+    pub(crate) fn phrase(self) -> &'static str {
         match self {
             Field::Plate => "side of the square anchor plate",
             Field::Spacing => "anchor spacing, square grid only",
@@ -100,7 +100,7 @@ impl Field {
     }
 
     /// What it measures.
-    pub fn quantity(self) -> Quantity {
+    pub(crate) fn quantity(self) -> Quantity {
         match self {
             Field::DesignForce => Quantity::Force,
             Field::GammaLoad | Field::GammaResistance => Quantity::Number,
@@ -109,7 +109,7 @@ impl Field {
     }
 
     /// The unit's sign on the screen.
-    pub fn unit(self, lengths: LengthUnit) -> &'static str {
+    pub(crate) fn unit(self, lengths: LengthUnit) -> &'static str {
         match self.quantity() {
             Quantity::Length => lengths.symbol(),
             Quantity::Force => "kN",
@@ -118,7 +118,7 @@ impl Field {
     }
 
     /// The value in SI; missing for an optional input that is not set.
-    pub fn get(self, layout: &NamedLayout) -> Option<f64> {
+    pub(crate) fn get(self, layout: &NamedLayout) -> Option<f64> {
         match self {
             Field::Plate => Some(layout.plate),
             Field::Spacing => Some(layout.spacing),
@@ -134,7 +134,7 @@ impl Field {
 
     /// Sets the value in SI, unchecked; `None` clears an optional input and puts an offset or a
     /// factor back to its default. A size cannot be cleared and stays.
-    pub fn set(self, layout: &mut NamedLayout, value: Option<f64>) {
+    pub(crate) fn set(self, layout: &mut NamedLayout, value: Option<f64>) {
         match (self, value) {
             (Field::Plate, Some(v)) => layout.plate = v,
             (Field::Spacing, Some(v)) => layout.spacing = v,
@@ -150,12 +150,12 @@ impl Field {
     }
 
     /// Whether Delete does something: optional inputs, offsets and factors.
-    pub fn clearable(self) -> bool {
+    pub(crate) fn clearable(self) -> bool {
         !matches!(self, Field::Plate | Field::Spacing | Field::Punch)
     }
 
     /// The published range, for the inputs that have one.
-    pub fn published(self) -> Option<PublishedRange> {
+    pub(crate) fn published(self) -> Option<PublishedRange> {
         match self {
             Field::Plate => Some(warning::PLATE),
             Field::Spacing => Some(warning::SPACING),
@@ -165,7 +165,7 @@ impl Field {
     }
 
     /// The step of an arrow key in SI.
-    pub fn step(self, size: StepSize) -> f64 {
+    pub(crate) fn step(self, size: StepSize) -> f64 {
         let (fine, coarse) = match self {
             Field::Plate => (0.01, 0.05),
             Field::Spacing => (0.05, 0.50),
@@ -195,7 +195,7 @@ impl Field {
     }
 
     /// The allowed range as text, in the unit of the screen.
-    pub fn allowed(self, layout: &NamedLayout, lengths: LengthUnit) -> String {
+    pub(crate) fn allowed(self, layout: &NamedLayout, lengths: LengthUnit) -> String {
         let (min, max, closed) = self.limits(layout);
         let text = |v: f64| self.entry_text(v, lengths);
         let unit = self.unit(lengths);
@@ -212,7 +212,7 @@ impl Field {
     }
 
     /// The value as it is entered and shown among the inputs, without its unit.
-    pub fn entry_text(self, value: f64, lengths: LengthUnit) -> String {
+    pub(crate) fn entry_text(self, value: f64, lengths: LengthUnit) -> String {
         match self.quantity() {
             Quantity::Length => units::length_entry(value, lengths),
             Quantity::Force => trim(&units::shortest(units::to_kn(value))),
@@ -224,7 +224,7 @@ impl Field {
     ///
     /// # Errors
     /// What is wrong with the text, with the allowed range.
-    pub fn read(
+    pub(crate) fn read(
         self,
         text: &str,
         layout: &NamedLayout,
@@ -244,7 +244,7 @@ impl Field {
     ///
     /// # Errors
     /// The allowed range, as a sentence.
-    pub fn check(
+    pub(crate) fn check(
         self,
         value: f64,
         layout: &NamedLayout,
@@ -261,7 +261,7 @@ impl Field {
 
     /// The value after `count` steps, rounded to a tenth of a millimetre (or newton, or 0.0001).
     /// An optional input that is not set starts at `start`.
-    pub fn stepped(self, layout: &NamedLayout, size: StepSize, up: bool, start: f64) -> f64 {
+    pub(crate) fn stepped(self, layout: &NamedLayout, size: StepSize, up: bool, start: f64) -> f64 {
         let Some(value) = self.get(layout) else { return start };
         let step = self.step(size);
         let moved = if up { value + step } else { value - step };

@@ -3,7 +3,7 @@
 
 /// The fit, higher is better; none where a letter is missing. Case and blanks of the pattern do not
 /// count.
-pub fn score(pattern: &str, text: &str) -> Option<i64> {
+pub(crate) fn score(pattern: &str, text: &str) -> Option<i64> {
     let text: Vec<char> = text.chars().flat_map(char::to_lowercase).collect();
     let pattern: Vec<char> =
         pattern.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_lowercase).collect();

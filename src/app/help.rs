@@ -2,12 +2,12 @@
 //! any screen and gives it back.
 
 use super::keymap::{self, Action, Context};
-use super::pages::{Page, PageLine, method};
+use super::pages::{PageLine, TextPage, method};
 use super::{App, Mode};
 
 /// Where the help was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Topic {
+pub(crate) enum Topic {
     /// On a screen with keys of its own.
     Screen(Context),
     /// While a line of text was typed.
@@ -37,8 +37,8 @@ impl App {
 const KEYS: usize = 18;
 
 /// The help of a width, the section of a topic first.
-pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
-    let mut page = Page::new(width);
+pub(crate) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
+    let mut page = TextPage::new(width);
     match topic {
         Topic::Typing => typing(&mut page),
         Topic::Screen(context) => keys(&mut page, context, true),
@@ -62,7 +62,7 @@ pub fn help(width: usize, topic: Topic) -> Vec<PageLine> {
 }
 
 /// The keys of a screen; unless all are wanted, without those that other screens like it share.
-fn keys(page: &mut Page, context: Context, all: bool) {
+fn keys(page: &mut TextPage, context: Context, all: bool) {
     page.heading(context.heading());
     // What holds on every screen is said once, with the main screen.
     let everywhere = [Action::Redraw, Action::Suspend, Action::Help];
@@ -76,7 +76,7 @@ fn keys(page: &mut Page, context: Context, all: bool) {
     }
 }
 
-fn typing(page: &mut Page) {
+fn typing(page: &mut TextPage) {
     page.heading("While typing");
     page.text("  Enter takes the text, Esc or Ctrl+G drops it. A refused text stays, with the reason. Ctrl+A and Ctrl+E go to the ends, Ctrl+U clears. F1 shows this help.", 2);
 }

@@ -7,11 +7,11 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Steps kept; older ones are forgotten.
-pub const MOST_STEPS: usize = 5_000;
+pub(crate) const MOST_STEPS: usize = 5_000;
 
 /// A state to come back to, with the place the user was at.
 #[derive(Debug, Clone)]
-pub struct Step {
+pub(crate) struct HistoryStep {
     /// The project as it was.
     pub project: Arc<Project>,
     /// Index of the selected layout.
@@ -25,13 +25,13 @@ pub struct Step {
 /// The past and the undone future of a project.
 #[derive(Debug, Default)]
 pub struct History {
-    past: VecDeque<Step>,
-    future: Vec<Step>,
+    past: VecDeque<HistoryStep>,
+    future: Vec<HistoryStep>,
 }
 
 impl History {
     /// Remembers the state before an edit; what was undone is forgotten.
-    pub fn record(&mut self, before: Step) {
+    pub(crate) fn record(&mut self, before: HistoryStep) {
         self.future.clear();
         if self.past.len() == MOST_STEPS {
             self.past.pop_front();
@@ -41,14 +41,14 @@ impl History {
 
     /// Takes one step back: gives the state to return to and keeps `now` for a redo. The label of
     /// the edit travels with it.
-    pub fn undo(&mut self, now: impl FnOnce(String) -> Step) -> Option<Step> {
+    pub(crate) fn undo(&mut self, now: impl FnOnce(String) -> HistoryStep) -> Option<HistoryStep> {
         let step = self.past.pop_back()?;
         self.future.push(now(step.label.clone()));
         Some(step)
     }
 
     /// Takes one undone step forward again.
-    pub fn redo(&mut self, now: impl FnOnce(String) -> Step) -> Option<Step> {
+    pub(crate) fn redo(&mut self, now: impl FnOnce(String) -> HistoryStep) -> Option<HistoryStep> {
         let step = self.future.pop()?;
         self.past.push_back(now(step.label.clone()));
         Some(step)
@@ -60,7 +60,7 @@ impl History {
     }
 
     /// How many steps can be redone.
-    pub fn redo_depth(&self) -> usize {
+    pub(crate) fn redo_depth(&self) -> usize {
         self.future.len()
     }
 }

@@ -52,9 +52,9 @@ pub struct Look {
 #[error("'{given}' is none of {allowed}")]
 pub struct UnknownLook {
     /// What was given.
-    pub given: String,
+    pub(crate) given: String,
     /// What would have done.
-    pub allowed: &'static str,
+    pub(crate) allowed: &'static str,
 }
 
 impl FromStr for ColorChoice {

@@ -2,9 +2,9 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
-use super::open::{Found, OpenFailure, OpenedProject};
+use super::open::{FoundProject, OpenFailure, OpenedProject};
 use super::settings::Settings;
-use crate::export::Kind;
+use crate::export::ExportKind;
 use crate::job::{News, Order};
 use crate::project::Project;
 use crate::units::LengthUnit;
@@ -40,7 +40,7 @@ pub enum Message {
     /// Settings were kept, with what the user should know of it, or could not be, and why.
     SettingsKept(Result<Option<String>, String>),
     /// The project files that were found.
-    Projects(Vec<Found>),
+    Projects(Vec<FoundProject>),
     /// Another project was opened, or could not be.
     Opened(Result<OpenedProject, OpenFailure>),
 }
@@ -78,7 +78,7 @@ pub struct Exported {
 
 /// Something to be done outside the state.
 #[derive(Debug, Clone)]
-pub enum Effect {
+pub enum Command {
     /// Write the project, to its own file or to another one, and answer with [`Message::Saved`].
     Save {
         /// What to write.
@@ -102,7 +102,7 @@ pub enum Effect {
     /// Write a report, a chart or a table, and answer with [`Message::Exported`].
     Export {
         /// What.
-        kind: Kind,
+        kind: ExportKind,
         /// Of this project.
         project: Arc<Project>,
         /// Whether it has edits that are not in its file.

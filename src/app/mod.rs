@@ -11,34 +11,34 @@
 //! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
 
 pub mod checks;
-pub mod command;
-pub mod copy;
-pub mod derived;
-pub mod edit;
-pub mod entry;
-pub mod field;
-pub mod fuzzy;
-pub mod help;
-pub mod history;
+pub(crate) mod command;
+pub(crate) mod copy;
+pub(crate) mod derived;
+pub(crate) mod edit;
+pub(crate) mod entry;
+pub(crate) mod field;
+pub(crate) mod fuzzy;
+pub(crate) mod help;
+pub(crate) mod history;
 pub mod key;
 pub mod keymap;
 pub mod look;
 pub mod message;
 pub mod open;
-pub mod output;
-pub mod pages;
+pub(crate) mod output;
+pub(crate) mod pages;
 pub mod settings;
-pub mod studies;
+pub(crate) mod studies;
 pub mod tour;
-pub mod update;
+pub(crate) mod update;
 
 use crate::project::schema::{NamedLayout, Project};
 use crate::units::LengthUnit;
 use checks::Work;
 use derived::Derived;
-use entry::Entry;
+use entry::LineEntry;
 use field::Field;
-use history::{History, Step};
+use history::{History, HistoryStep};
 use keymap::Context;
 use look::Look;
 use settings::{Preferences, Settings};
@@ -52,7 +52,7 @@ pub enum Mode {
     /// Nothing.
     Main,
     /// A line of text is being typed.
-    Entry(Entry),
+    Entry(LineEntry),
     /// The help, scrolled down by so many lines.
     Help {
         /// First line shown.
@@ -70,7 +70,7 @@ pub enum Mode {
     },
     /// The list of what can be written, with one marked.
     Export {
-        /// The marked one, an index of [`crate::export::Kind::ALL`].
+        /// The marked one, an index of [`crate::export::ExportKind::ALL`].
         index: usize,
     },
     /// Quit with unsaved edits?
@@ -84,7 +84,7 @@ pub enum Mode {
     },
     /// The list of settings with one marked.
     Settings {
-        /// The marked one, an index of [`settings::Item::ALL`].
+        /// The marked one, an index of [`settings::SettingItem::ALL`].
         index: usize,
     },
     /// Which project to open.
@@ -100,7 +100,7 @@ pub enum Mode {
         stop: usize,
     },
     /// A page of a study.
-    Study(studies::Page),
+    Study(studies::StudyPage),
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.
@@ -272,7 +272,7 @@ impl App {
     }
 
     /// Forecast and design answer of each layout, in the order of the list.
-    pub fn results(&self) -> &[Derived] {
+    pub(crate) fn results(&self) -> &[Derived] {
         &self.results
     }
 
@@ -282,7 +282,7 @@ impl App {
     }
 
     /// The look of the screen.
-    pub fn look(&self) -> Look {
+    pub(crate) fn look(&self) -> Look {
         self.look
     }
 
@@ -302,12 +302,12 @@ impl App {
     }
 
     /// The screen whose keys hold now; none while text is typed.
-    pub fn context(&self) -> Option<Context> {
+    pub(crate) fn context(&self) -> Option<Context> {
         self.mode.context()
     }
 
     /// Whether something was asked to be drawn since this was asked last.
-    pub fn take_dirty(&mut self) -> bool {
+    pub(crate) fn take_dirty(&mut self) -> bool {
         std::mem::take(&mut self.dirty)
     }
 
@@ -331,8 +331,13 @@ impl App {
     }
 
     /// The present as a step of the history.
-    fn step(&self, label: String) -> Step {
-        Step { project: self.project.clone(), selected: self.selected, field: self.field, label }
+    fn step(&self, label: String) -> HistoryStep {
+        HistoryStep {
+            project: self.project.clone(),
+            selected: self.selected,
+            field: self.field,
+            label,
+        }
     }
 
     /// Makes an edit that can be undone. An edit that changes nothing leaves no trace.
@@ -349,7 +354,7 @@ impl App {
 
     fn undo(&mut self) {
         let (project, selected, field) = (self.project.clone(), self.selected, self.field);
-        match self.history.undo(|label| Step { project, selected, field, label }) {
+        match self.history.undo(|label| HistoryStep { project, selected, field, label }) {
             Some(step) => {
                 let left = self.history.undo_depth();
                 self.inform(format!("undone: {} ({left} more)", step.label));
@@ -361,7 +366,7 @@ impl App {
 
     fn redo(&mut self) {
         let (project, selected, field) = (self.project.clone(), self.selected, self.field);
-        match self.history.redo(|label| Step { project, selected, field, label }) {
+        match self.history.redo(|label| HistoryStep { project, selected, field, label }) {
             Some(step) => {
                 let left = self.history.redo_depth();
                 self.inform(format!("redone: {} ({left} more)", step.label));
@@ -371,7 +376,7 @@ impl App {
         }
     }
 
-    fn go_to(&mut self, step: Step) {
+    fn go_to(&mut self, step: HistoryStep) {
         self.project = self.with_checks(step.project);
         self.selected = step.selected;
         self.field = step.field;

@@ -1,12 +1,12 @@
 //! Opening another project: the list with its text line, the question before edits would be lost,
 //! and the change to what was opened.
 
-use super::entry::{Entry, Target};
+use super::entry::{EditTarget, LineEntry};
 use super::field::Field;
 use super::fuzzy;
 use super::history::History;
 use super::key::Key;
-use super::message::Effect;
+use super::message::Command;
 use super::{App, Mode};
 use crate::project::Project;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// A project file that can be opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Found {
+pub struct FoundProject {
     /// The file.
     pub path: PathBuf,
     /// The file as the list shows it and as typed letters are matched.
@@ -51,26 +51,26 @@ pub struct OpenFailure {
 #[derive(Debug, Clone)]
 pub struct Picker {
     /// The letters typed.
-    pub entry: Entry,
+    pub(crate) entry: LineEntry,
     /// What there is; nothing until it was found.
-    pub found: Vec<Found>,
+    pub(crate) found: Vec<FoundProject>,
     /// The marked one, an index of [`Picker::matches`].
-    pub index: usize,
+    pub(crate) index: usize,
     /// Why the last one could not be opened.
-    pub error: Option<String>,
+    pub(crate) error: Option<String>,
 }
 
 impl Picker {
     fn new(error: Option<String>) -> Picker {
-        let entry = Entry::new(Target::File, "");
+        let entry = LineEntry::new(EditTarget::File, "");
         Picker { entry, found: Vec::new(), index: 0, error }
     }
 
     /// What fits the letters typed, the best first; all, in their order, where nothing is typed.
-    pub fn matches(&self) -> Vec<&Found> {
+    pub(crate) fn matches(&self) -> Vec<&FoundProject> {
         let typed = self.entry.text();
         let fits = self.found.iter().filter_map(|f| Some((fuzzy::score(typed, &f.shown)?, f)));
-        let mut fits: Vec<(i64, &Found)> = fits.collect();
+        let mut fits: Vec<(i64, &FoundProject)> = fits.collect();
         if !typed.trim().is_empty() {
             fits.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
         }
@@ -80,7 +80,7 @@ impl Picker {
     /// Marks the first one worth it: not gone, and not the one that is open.
     fn mark_first(&mut self) {
         let matches = self.matches();
-        let open = |f: &&Found| !f.missing && !f.current;
+        let open = |f: &&FoundProject| !f.missing && !f.current;
         let first = matches.iter().position(open);
         self.index = first.or(matches.iter().position(|f| !f.missing)).unwrap_or(0);
     }
@@ -115,13 +115,13 @@ impl Picker {
 
 impl App {
     /// Shows the list of projects and asks for them.
-    pub(super) fn show_picker(&mut self, error: Option<String>) -> Vec<Effect> {
+    pub(super) fn show_picker(&mut self, error: Option<String>) -> Vec<Command> {
         self.mode = Mode::Open(Picker::new(error));
-        vec![Effect::ListProjects]
+        vec![Command::ListProjects]
     }
 
     /// The projects were found.
-    pub(super) fn found_projects(&mut self, found: Vec<Found>) {
+    pub(super) fn found_projects(&mut self, found: Vec<FoundProject>) {
         if let Mode::Open(picker) = &mut self.mode {
             picker.found = found;
             picker.mark_first();
@@ -136,7 +136,7 @@ impl App {
     }
 
     /// Enter in the list: the marked one, or where nothing fits the text as a path.
-    pub(super) fn take_project(&mut self) -> Vec<Effect> {
+    pub(super) fn take_project(&mut self) -> Vec<Command> {
         let Mode::Open(picker) = &self.mode else { return Vec::new() };
         let typed = picker.entry.text().trim().to_string();
         match picker.matches().get(picker.index) {
@@ -155,17 +155,17 @@ impl App {
     }
 
     /// Opens a project; unsaved edits are asked about first.
-    pub(super) fn ask_to_open(&mut self, path: &Path) -> Vec<Effect> {
+    pub(super) fn ask_to_open(&mut self, path: &Path) -> Vec<Command> {
         let path = path.to_path_buf();
         if self.edited() {
             self.mode = Mode::ConfirmOpen { path };
             return Vec::new();
         }
-        vec![Effect::OpenProject { path }]
+        vec![Command::OpenProject { path }]
     }
 
     /// The question was answered: save first.
-    pub(super) fn save_and_open(&mut self) -> Vec<Effect> {
+    pub(super) fn save_and_open(&mut self) -> Vec<Command> {
         match std::mem::replace(&mut self.mode, Mode::Main) {
             Mode::ConfirmOpen { path } => {
                 self.open_after_save = Some(path);
@@ -179,7 +179,7 @@ impl App {
     }
 
     /// A project was opened, or could not be: then all stays, with the reason.
-    pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Effect> {
+    pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Command> {
         match result {
             Ok(opened) => {
                 let stop = self.forget_work();

@@ -1,23 +1,23 @@
 //! Writing reports, charts and tables to files: the list to choose from, and the `:export` command.
 
-use super::message::{Effect, Exported};
+use super::message::{Command, Exported};
 use super::{App, Mode};
-use crate::export::Kind;
+use crate::export::ExportKind;
 use std::path::PathBuf;
 
 impl App {
     /// The marked kind of the list is written beside the project, under a name that is free.
-    pub(super) fn take_export(&mut self) -> Vec<Effect> {
+    pub(super) fn take_export(&mut self) -> Vec<Command> {
         let Mode::Export { index } = self.mode else { return Vec::new() };
         self.mode = Mode::Main;
-        match Kind::ALL.get(index) {
+        match ExportKind::ALL.get(index) {
             Some(kind) => vec![self.export(*kind, None, false)],
             None => Vec::new(),
         }
     }
 
-    fn export(&self, kind: Kind, path: Option<PathBuf>, overwrite: bool) -> Effect {
-        Effect::Export {
+    fn export(&self, kind: ExportKind, path: Option<PathBuf>, overwrite: bool) -> Command {
+        Command::Export {
             kind,
             project: self.project.clone(),
             edited: self.edited(),
@@ -36,7 +36,7 @@ impl App {
         &mut self,
         rest: &str,
         overwrite: bool,
-    ) -> Result<Vec<Effect>, String> {
+    ) -> Result<Vec<Command>, String> {
         let (word, path) = match rest.split_once(char::is_whitespace) {
             Some((word, path)) => (word, path.trim()),
             None => (rest, ""),
@@ -45,8 +45,8 @@ impl App {
             self.mode = Mode::Export { index: 0 };
             return Ok(Vec::new());
         }
-        let Some(kind) = Kind::named(word) else {
-            let words: Vec<&str> = Kind::ALL.iter().map(|kind| kind.word()).collect();
+        let Some(kind) = ExportKind::named(word) else {
+            let words: Vec<&str> = ExportKind::ALL.iter().map(|kind| kind.word()).collect();
             return Err(format!("export one of: {}", words.join(", ")));
         };
         let path = (!path.is_empty()).then(|| PathBuf::from(path));

@@ -2,13 +2,13 @@
 
 use super::key::{Code, Key};
 use super::keymap::{self, Context};
-use super::message::Effect;
-use super::settings::Item;
+use super::message::Command;
+use super::settings::SettingItem;
 use super::{App, Mode};
 
 /// One screen of the tour.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Stop {
+pub struct TourStop {
     /// Its heading.
     pub title: &'static str,
     /// Its lines, few enough for the smallest screen.
@@ -89,7 +89,7 @@ const STOPS: &[(&str, &[Line])] = &[
 ];
 
 /// The screens, in order.
-pub fn stops() -> Vec<Stop> {
+pub fn stops() -> Vec<TourStop> {
     let holds = |key: &Key, word: &str| {
         let mut bindings = keymap::of(Context::Main).filter(|b| b.keys.contains(key));
         bindings.any(|b| b.help.to_lowercase().contains(word))
@@ -112,7 +112,7 @@ pub fn stops() -> Vec<Stop> {
             Text(text) => text.to_string(),
             Keys(_, label, _, says) => format!("{label:<column$}  {says}"),
         };
-        Stop { title, lines: shown.iter().map(text).collect() }
+        TourStop { title, lines: shown.iter().map(text).collect() }
     };
     STOPS.iter().map(stop).filter(|stop| !stop.lines.is_empty()).collect()
 }
@@ -124,7 +124,7 @@ impl App {
     }
 
     /// The next screen of the tour, or its end.
-    pub(super) fn next_stop(&mut self) -> Vec<Effect> {
+    pub(super) fn next_stop(&mut self) -> Vec<Command> {
         match self.mode {
             Mode::Tour { stop } if stop + 1 < stops().len() => {
                 self.mode = Mode::Tour { stop: stop + 1 };
@@ -142,14 +142,14 @@ impl App {
     }
 
     /// Ends the tour; it is not shown at the next start.
-    pub(super) fn end_tour(&mut self) -> Vec<Effect> {
+    pub(super) fn end_tour(&mut self) -> Vec<Command> {
         self.mode = Mode::Main;
         self.inform("? shows the keys, :tour this tour again");
         if self.preferences.kept.tour_seen {
             return Vec::new();
         }
         // The word is one of the setting's own.
-        self.set_setting(Item::Tour, "seen").unwrap_or_default()
+        self.set_setting(SettingItem::Tour, "seen").unwrap_or_default()
     }
 }
 

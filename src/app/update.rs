@@ -1,17 +1,17 @@
 //! What each message does to the state.
 
-use super::entry::{Entry, Outcome, Target};
+use super::entry::{EditTarget, LineEntry, LineKey};
 use super::field::{Field, StepSize};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
-use super::message::{Effect, Message, SaveFailure, Saved};
+use super::message::{Command, Message, SaveFailure, Saved};
 use super::{App, Mode, settings};
 use crate::units::Quantity;
 use std::path::{Path, PathBuf};
 
 impl App {
     /// Takes a message; returns what is to be done.
-    pub fn update(&mut self, message: Message) -> Vec<Effect> {
+    pub fn update(&mut self, message: Message) -> Vec<Command> {
         self.dirty = true;
         let mut effects = self.take(message);
         effects.extend(self.follow_edit());
@@ -19,7 +19,7 @@ impl App {
         effects
     }
 
-    fn take(&mut self, message: Message) -> Vec<Effect> {
+    fn take(&mut self, message: Message) -> Vec<Command> {
         match message {
             Message::Key(key) => self.key(key),
             Message::Paste(text) => {
@@ -38,9 +38,9 @@ impl App {
             Message::HangUp => {
                 let mut effects = Vec::new();
                 if let Some(project) = self.unsaved() {
-                    effects.push(Effect::Recover { project });
+                    effects.push(Command::Recover { project });
                 }
-                effects.push(Effect::Quit);
+                effects.push(Command::Quit);
                 effects
             }
             Message::Exported(result) => {
@@ -51,7 +51,7 @@ impl App {
                 self.news(news);
                 Vec::new()
             }
-            Message::Resumed => vec![Effect::Redraw],
+            Message::Resumed => vec![Command::Redraw],
             Message::Projects(found) => {
                 self.found_projects(found);
                 Vec::new()
@@ -72,7 +72,7 @@ impl App {
         }
     }
 
-    fn key(&mut self, key: Key) -> Vec<Effect> {
+    fn key(&mut self, key: Key) -> Vec<Command> {
         self.status = None;
         if let Mode::Entry(entry) = &mut self.mode {
             // A question mark is text here.
@@ -81,12 +81,12 @@ impl App {
                 return Vec::new();
             }
             return match entry.key(key) {
-                Outcome::Typing => Vec::new(),
-                Outcome::Drop => {
+                LineKey::Typing => Vec::new(),
+                LineKey::Drop => {
                     self.mode = self.behind();
                     Vec::new()
                 }
-                Outcome::Take => self.take_entry(),
+                LineKey::Take => self.take_entry(),
             };
         }
         let Some(context) = self.context() else { return Vec::new() };
@@ -112,13 +112,13 @@ impl App {
         let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key else { return };
         if c.is_ascii_digit() || c == '.' || (c == '-' && self.field.quantity() == Quantity::Length)
         {
-            self.mode = Mode::Entry(Entry::new(Target::Value(self.field), c));
+            self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), c));
         } else {
             self.inform(format!("{key} does nothing here; ? shows the keys"));
         }
     }
 
-    fn act(&mut self, action: Action) -> Vec<Effect> {
+    fn act(&mut self, action: Action) -> Vec<Command> {
         if let Mode::Study(page) = self.mode
             && let Some(effects) = self.study_act(page, action)
         {
@@ -134,7 +134,7 @@ impl App {
             Action::Type => {
                 let text = self.field.get(self.layout());
                 let text = text.map_or(String::new(), |v| self.field.entry_text(v, self.units()));
-                self.mode = Mode::Entry(Entry::new(Target::Value(self.field), text));
+                self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), text));
             }
             Action::Clear if self.field.clearable() => self.set_field(None),
             Action::Clear => {
@@ -145,10 +145,12 @@ impl App {
             Action::Add => self.add_layout(),
             Action::Duplicate => self.duplicate_layout(),
             Action::Rename => {
-                self.mode = Mode::Entry(Entry::new(Target::Name, self.layout().name.clone()));
+                self.mode =
+                    Mode::Entry(LineEntry::new(EditTarget::Name, self.layout().name.clone()));
             }
             Action::Note => {
-                self.mode = Mode::Entry(Entry::new(Target::Note, self.layout().note.clone()));
+                self.mode =
+                    Mode::Entry(LineEntry::new(EditTarget::Note, self.layout().note.clone()));
             }
             Action::Delete => self.delete_layout(),
             Action::MoveUp => self.move_layout(false),
@@ -163,11 +165,11 @@ impl App {
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
             Action::Save => return vec![self.save_effect(None, false)],
-            Action::Command => self.mode = Mode::Entry(Entry::new(Target::Command, "")),
+            Action::Command => self.mode = Mode::Entry(LineEntry::new(EditTarget::Command, "")),
             Action::Details => self.mode = Mode::Details { scroll: 0 },
             Action::Help => self.toggle_help(),
-            Action::Suspend => return vec![Effect::Suspend],
-            Action::Redraw => return vec![Effect::Redraw],
+            Action::Suspend => return vec![Command::Suspend],
+            Action::Redraw => return vec![Command::Redraw],
             Action::Quit => return self.ask_to_quit(),
             Action::Up => self.scroll(-1),
             Action::Down => self.scroll(1),
@@ -180,7 +182,7 @@ impl App {
             Action::Take => self.take_mesh(),
             // Going on without a decision would let new edits take the place of the kept ones.
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
-                return vec![Effect::Quit];
+                return vec![Command::Quit];
             }
             Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
             Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
@@ -236,7 +238,7 @@ impl App {
                 *scroll = scroll.saturating_add_signed(lines).min(last);
             }
             Mode::Export { index } => {
-                let kinds = crate::export::Kind::ALL.len() as isize;
+                let kinds = crate::export::ExportKind::ALL.len() as isize;
                 *index = (*index as isize + lines).rem_euclid(kinds) as usize;
             }
             Mode::MeshPicker { index } => {
@@ -244,7 +246,7 @@ impl App {
             }
             Mode::Open(_) => self.step_picker(lines),
             Mode::Settings { index } => {
-                let last = settings::Item::ALL.len() - 1;
+                let last = settings::SettingItem::ALL.len() - 1;
                 *index = index.saturating_add_signed(lines).min(last);
             }
             _ => {}
@@ -264,62 +266,64 @@ impl App {
     }
 
     /// Enter in a line of text: a text that is refused stays, with the reason.
-    fn take_entry(&mut self) -> Vec<Effect> {
+    fn take_entry(&mut self) -> Vec<Command> {
         let behind = self.behind();
         let Mode::Entry(entry) = std::mem::replace(&mut self.mode, behind) else {
             return Vec::new();
         };
         let text = entry.text().to_string();
         let result = match entry.target {
-            Target::Value(field) => field.read(&text, self.layout(), self.units()).map(|value| {
-                self.set_field(value);
-                Vec::new()
-            }),
-            Target::Name => self.rename_layout(&text).map(|()| Vec::new()),
-            Target::Note => {
+            EditTarget::Value(field) => {
+                field.read(&text, self.layout(), self.units()).map(|value| {
+                    self.set_field(value);
+                    Vec::new()
+                })
+            }
+            EditTarget::Name => self.rename_layout(&text).map(|()| Vec::new()),
+            EditTarget::Note => {
                 self.set_note(&text);
                 Ok(Vec::new())
             }
-            Target::Command => self.command(&text),
-            Target::File => Ok(self.ask_to_open(Path::new(&text))),
-            Target::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
+            EditTarget::Command => self.command(&text),
+            EditTarget::File => Ok(self.ask_to_open(Path::new(&text))),
+            EditTarget::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {
-            self.mode = Mode::Entry(Entry { error: Some(refusal), ..entry });
+            self.mode = Mode::Entry(LineEntry { error: Some(refusal), ..entry });
             Vec::new()
         })
     }
 
-    pub(super) fn ask_to_quit(&mut self) -> Vec<Effect> {
+    pub(super) fn ask_to_quit(&mut self) -> Vec<Command> {
         if self.edited() {
             self.mode = Mode::ConfirmQuit;
             Vec::new()
         } else {
-            vec![Effect::Quit]
+            vec![Command::Quit]
         }
     }
 
-    pub(super) fn save_effect(&mut self, path: Option<PathBuf>, overwrite: bool) -> Effect {
-        Effect::Save { project: self.project.clone(), path, overwrite }
+    pub(super) fn save_effect(&mut self, path: Option<PathBuf>, overwrite: bool) -> Command {
+        Command::Save { project: self.project.clone(), path, overwrite }
     }
 
-    pub(super) fn save_and_quit(&mut self) -> Vec<Effect> {
+    pub(super) fn save_and_quit(&mut self) -> Vec<Command> {
         self.mode = Mode::Main;
         if !self.edited() {
-            return vec![Effect::Quit];
+            return vec![Command::Quit];
         }
         self.quit_after_save = true;
         vec![self.save_effect(None, false)]
     }
 
-    fn discard(&mut self) -> Vec<Effect> {
+    fn discard(&mut self) -> Vec<Command> {
         match std::mem::replace(&mut self.mode, Mode::Main) {
-            Mode::ConfirmQuit => vec![Effect::ForgetRecovery, Effect::Quit],
+            Mode::ConfirmQuit => vec![Command::ForgetRecovery, Command::Quit],
             // The edits stay where they are until the other project is open.
-            Mode::ConfirmOpen { path } => vec![Effect::OpenProject { path }],
+            Mode::ConfirmOpen { path } => vec![Command::OpenProject { path }],
             Mode::ConfirmRecovery { .. } => {
                 self.inform("the kept edits were dropped");
-                vec![Effect::ForgetRecovery]
+                vec![Command::ForgetRecovery]
             }
             other => {
                 self.mode = other;
@@ -328,7 +332,7 @@ impl App {
         }
     }
 
-    fn overwrite(&mut self) -> Vec<Effect> {
+    fn overwrite(&mut self) -> Vec<Command> {
         match std::mem::replace(&mut self.mode, Mode::Main) {
             Mode::ConfirmOverwrite { path, quit } => {
                 self.quit_after_save = quit;
@@ -352,7 +356,7 @@ impl App {
     }
 
     /// A save has ended.
-    fn saved(&mut self, result: Result<Saved, SaveFailure>) -> Vec<Effect> {
+    fn saved(&mut self, result: Result<Saved, SaveFailure>) -> Vec<Command> {
         let quit = std::mem::take(&mut self.quit_after_save);
         let open = self.open_after_save.take();
         match result {
@@ -365,10 +369,10 @@ impl App {
                 });
                 self.path = Some(saved.path);
                 if let Some(path) = open.filter(|_| !self.edited()) {
-                    return vec![Effect::OpenProject { path }];
+                    return vec![Command::OpenProject { path }];
                 }
                 // Edits made while the save ran are not in the file.
-                if quit && !self.edited() { vec![Effect::Quit] } else { Vec::new() }
+                if quit && !self.edited() { vec![Command::Quit] } else { Vec::new() }
             }
             Err(failure) => {
                 if failure.overwrite_helps {

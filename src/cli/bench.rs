@@ -1,12 +1,12 @@
 //! `meshcast bench`: run time against error of the check, measured now, as a table and a plot.
 
 use super::VERSION;
-use super::output::{Fault, Format, Outcome, Output, json, say, wrapped};
+use super::output::{CommandEnd, Fault, Format, Output, json, say, wrapped};
 use super::watch::Watch;
 use crate::dem::Flow;
 use crate::fingerprint::Fingerprinter;
 use crate::project::{SaveError, create};
-use crate::study::bench::{Known, Listener, Row, SCENES, Table, table};
+use crate::study::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::study::convergence::{self, Sizes, Tables};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -24,7 +24,7 @@ Ctrl+C ends with the rows made so far, exit code 130.";
 /// Measure run time against error of the check.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
-pub struct BenchArgs {
+pub(crate) struct BenchArgs {
     /// Only this scene; may be given several times.
     #[arg(long, value_name = "SCENE", value_parser = PossibleValuesParser::new(SCENES))]
     scene: Vec<String>,
@@ -43,7 +43,7 @@ pub struct BenchArgs {
 }
 
 /// Measures and prints.
-pub fn run(args: &BenchArgs) -> Outcome {
+pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
     if let Some(path) = args.svg.as_ref().filter(|path| path.exists()) {
         return Err(exists(path));
     }
@@ -117,12 +117,12 @@ struct Made<'a> {
     version: &'static str,
     fingerprint: String,
     #[serde(flatten)]
-    row: &'a Row,
-    reference_known_to: Option<&'a Known>,
+    row: &'a BenchRow,
+    reference_known_to: Option<&'a KnownError>,
 }
 
 impl<'a> Made<'a> {
-    fn of((row, known): (&'a Row, &'a Vec<Known>)) -> Made<'a> {
+    fn of((row, known): (&'a BenchRow, &'a Vec<KnownError>)) -> Made<'a> {
         let print = Fingerprinter::new("bench").text(&row.scene).text(&row.fidelity).finish();
         Made {
             version: VERSION,
@@ -134,11 +134,11 @@ impl<'a> Made<'a> {
 }
 
 /// The worst of the three errors of a row, %.
-fn worst(row: &Row) -> f64 {
+fn worst(row: &BenchRow) -> f64 {
     row.force_error.abs().max(row.deflection_error.abs()).max(row.curve_error.abs())
 }
 
-fn text(rows: &[Row], known: &[Known]) -> String {
+fn text(rows: &[BenchRow], known: &[KnownError]) -> String {
     let mut out = String::from(
         "scene fidelity    time, ms    steps   F err %  delta err %  curve err %  x plain\n",
     );
@@ -173,7 +173,7 @@ const COLUMNS: usize = 60;
 const ROWS: usize = 16;
 
 /// Ranges of the plot as logarithms of ten: time in ms, worst error in %.
-fn ranges(rows: &[Row]) -> ([f64; 2], [f64; 2]) {
+fn ranges(rows: &[BenchRow]) -> ([f64; 2], [f64; 2]) {
     let range = |values: &mut dyn Iterator<Item = f64>| {
         let (low, high) = values
             .filter(|v| *v > 0.0 && v.is_finite())
@@ -185,19 +185,19 @@ fn ranges(rows: &[Row]) -> ([f64; 2], [f64; 2]) {
 }
 
 /// Where a row stands in the plot, each from 0 to 1; nothing for an error of 0.
-fn place(row: &Row, times: [f64; 2], errors: [f64; 2]) -> Option<(f64, f64)> {
+fn place(row: &BenchRow, times: [f64; 2], errors: [f64; 2]) -> Option<(f64, f64)> {
     let part = |v: f64, [low, high]: [f64; 2]| (v.log10() - low) / (high - low);
     let (x, y) = (part(row.wall_ms, times), part(worst(row), errors));
     (x.is_finite() && y.is_finite()).then_some((x.clamp(0.0, 1.0), y.clamp(0.0, 1.0)))
 }
 
 /// The sign of a row: its scene's letter, small for the plain run.
-fn sign(row: &Row) -> char {
+fn sign(row: &BenchRow) -> char {
     let letter = if row.scene == "A'" { '\'' } else { row.scene.chars().next().unwrap_or('?') };
     if row.fidelity == "plain" { letter.to_ascii_lowercase() } else { letter }
 }
 
-fn plot(rows: &[Row]) -> String {
+fn plot(rows: &[BenchRow]) -> String {
     let (times, errors) = ranges(rows);
     let mut grid = vec![[' '; COLUMNS]; ROWS];
     for row in rows {
@@ -225,7 +225,7 @@ fn plot(rows: &[Row]) -> String {
 }
 
 /// The plot as SVG, with a line through the fidelities of each scene.
-fn svg(rows: &[Row]) -> String {
+fn svg(rows: &[BenchRow]) -> String {
     const SIZE: (f64, f64) = (640.0, 420.0);
     const MARGIN: f64 = 60.0;
     let (times, errors) = ranges(rows);
@@ -336,8 +336,8 @@ fn size_text(sizes: &Sizes) -> String {
 mod tests {
     use super::*;
 
-    fn row(scene: &str, fidelity: &str, wall_ms: f64, error: f64) -> Row {
-        Row {
+    fn row(scene: &str, fidelity: &str, wall_ms: f64, error: f64) -> BenchRow {
+        BenchRow {
             scene: scene.into(),
             fidelity: fidelity.into(),
             wall_ms,

@@ -1,7 +1,7 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
 
 use super::check::{fidelity, threads};
-use super::output::{Fault, Format, Outcome, Output, json, number, wrapped};
+use super::output::{CommandEnd, Fault, Format, Output, json, number, wrapped};
 use super::shapes::Pair;
 use super::watch::Watch;
 use super::{VERSION, quantity, wire};
@@ -9,7 +9,7 @@ use crate::dem::{Controls, Fidelity};
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
 use crate::project::{self, SaveError, wire_text};
-use crate::study::calibrate::{Fit, Options, Target, anchored_reference, fit};
+use crate::study::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
 use crate::study::paper::ANCHORED;
 use crate::units::{shortest, significant, to_kn};
@@ -27,7 +27,7 @@ the ratio of twist to wire are those of --from. The result can be used with chec
 /// Fit a wire law to a laboratory punch test.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
-pub struct CalibrateArgs {
+pub(crate) struct CalibrateArgs {
     /// Force at failure of the test.
     #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true)]
     force: f64,
@@ -47,7 +47,7 @@ pub struct CalibrateArgs {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Runs of the laboratory ensemble in each trial.
-    #[arg(long, value_name = "N", default_value_t = Options::default().runs as u16, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = FitOptions::default().runs as u16, value_parser = clap::value_parser!(u16).range(1..=1000))]
     runs: u16,
     /// Seed of alignments and slack.
     #[arg(long, value_name = "S", default_value_t = 0)]
@@ -72,18 +72,18 @@ struct Result<'a> {
 }
 
 /// Fits, predicts and prints.
-pub fn run(args: &CalibrateArgs) -> Outcome {
+pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     let start = start(&args.from)?;
     if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {
         return Err(exists(path));
     }
-    let target = Target {
+    let target = FitTarget {
         force: args.force,
         deflection: args.deflection,
         panel: args.panel,
         punch: args.punch,
     };
-    let options = Options {
+    let options = FitOptions {
         runs: usize::from(args.runs),
         seed: args.seed,
         fidelity: args.fidelity,
@@ -125,7 +125,7 @@ pub fn run(args: &CalibrateArgs) -> Outcome {
     Ok(Output { result: text, notes, failed: !result.fit.found, ..Output::default() })
 }
 
-fn interrupted(watch: &Watch) -> Outcome {
+fn interrupted(watch: &Watch) -> CommandEnd {
     watch.finish("no fit yet");
     Ok(Output { interrupted: true, ..Output::default() })
 }
@@ -178,7 +178,7 @@ fn command(args: &CalibrateArgs) -> String {
     if args.punch != STANDARD_PUNCH {
         let _ = write!(said, " --punch {}", shortest(args.punch));
     }
-    let usual = Options::default();
+    let usual = FitOptions::default();
     if usize::from(args.runs) != usual.runs {
         let _ = write!(said, " --runs {}", args.runs);
     }

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 /// Where the layouts come from: a project file or the flags alone.
 #[derive(Debug, Clone, Default, Args)]
-pub struct Source {
+pub(crate) struct Source {
     /// Project file; without it, one layout from the flags below.
     #[arg(value_name = "PROJECT.ron")]
     project: Option<PathBuf>,
@@ -32,13 +32,13 @@ pub struct Source {
 
 /// The cases of a command.
 #[derive(Debug)]
-pub struct Loaded {
+pub(crate) struct Loaded {
     /// One, or those of a project in its order.
-    pub cases: Vec<Case>,
+    pub(crate) cases: Vec<Case>,
     /// Unit of lengths in texts: of the flag, the project, or metres.
-    pub unit: LengthUnit,
+    pub(crate) unit: LengthUnit,
     /// Whether the result is a list, also of one or of none: all layouts of a project.
-    pub several: bool,
+    pub(crate) several: bool,
 }
 
 impl Source {
@@ -46,7 +46,7 @@ impl Source {
     ///
     /// # Errors
     /// What is wrong with the file, the layout's name or the inputs.
-    pub fn load(&self, ui: &UiFlags) -> Result<Loaded, Fault> {
+    pub(crate) fn load(&self, ui: &UiFlags) -> Result<Loaded, Fault> {
         match &self.project {
             Some(path) => self.inputs.of_file(path, self.layout.as_deref(), ui),
             None => Ok(Loaded {
@@ -59,7 +59,7 @@ impl Source {
 
     /// The same with other defaults: without a project, an input that no flag gives is the one here
     /// and not that of the paper's reference panel.
-    pub fn with_defaults(&self, defaults: &[(Input, f64)]) -> Source {
+    pub(crate) fn with_defaults(&self, defaults: &[(Input, f64)]) -> Source {
         let mut source = self.clone();
         if self.project.is_none() {
             let inputs = &mut source.inputs.geometry;
@@ -82,7 +82,7 @@ impl Source {
 /// Panel, plates, punch and mesh on the command line; each goes above the file.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Inputs (above the file's; default: the paper's reference panel)")]
-pub struct Geometry {
+pub(crate) struct Geometry {
     /// Side of the square anchor plate, d [default: 0.32 m].
     #[arg(short = 'd', value_name = "M", value_parser = quantity::size, allow_hyphen_values = true)]
     plate: Option<f64>,
@@ -106,7 +106,7 @@ pub struct Geometry {
 /// Inputs of a forecast on the command line; each goes above the file.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Inputs (above the file's; default: the paper's reference panel)")]
-pub struct Inputs {
+pub(crate) struct Inputs {
     #[command(flatten)]
     geometry: Geometry,
     /// Branch of Eqs. A.1-A.2: by the size of the block as published, or the lower force.
@@ -145,7 +145,7 @@ fn branch_rule() -> impl TypedValueParser<Value = BranchRule> {
 
 /// One layout to forecast, sound as far as a layout can be by itself.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub(crate) struct Case {
     /// Name of the layout, where it is one of a project.
     pub name: Option<String>,
     /// Geometry, branch rule and design questions.
@@ -156,7 +156,7 @@ pub struct Case {
 
 impl Case {
     /// Its design questions.
-    pub fn question(&self) -> Question {
+    pub(crate) fn question(&self) -> Question {
         Question {
             force: self.entry.design_force,
             deflection: self.entry.allowable_deflection,
@@ -166,7 +166,7 @@ impl Case {
     }
 
     /// The same for a study.
-    pub fn study(&self) -> study::case::Case {
+    pub(crate) fn study(&self) -> study::case::Case {
         study::case::Case {
             layout: self.entry.layout(),
             mesh: self.mesh.clone(),
@@ -181,7 +181,12 @@ impl Inputs {
     ///
     /// # Errors
     /// What is wrong with the file, the layout's name or the inputs.
-    pub fn of_file(&self, path: &Path, only: Option<&str>, ui: &UiFlags) -> Result<Loaded, Fault> {
+    pub(crate) fn of_file(
+        &self,
+        path: &Path,
+        only: Option<&str>,
+        ui: &UiFlags,
+    ) -> Result<Loaded, Fault> {
         let opened = project::load(path)?;
         Ok(Loaded {
             cases: self.of_project(&opened.project, only)?,
@@ -194,7 +199,7 @@ impl Inputs {
     ///
     /// # Errors
     /// Every input that makes no sense, by its flag.
-    pub fn alone(&self) -> Result<Case, Fault> {
+    pub(crate) fn alone(&self) -> Result<Case, Fault> {
         let entry = NamedLayout::new("command line", REFERENCE, REFERENCE_ID);
         self.over(entry, None, catalogue::find, &ids(catalogue::all()))
     }
@@ -203,7 +208,11 @@ impl Inputs {
     ///
     /// # Errors
     /// An unknown name, or every input that makes no sense, by its flag or its place in the project.
-    pub fn of_project(&self, project: &Project, only: Option<&str>) -> Result<Vec<Case>, Fault> {
+    pub(crate) fn of_project(
+        &self,
+        project: &Project,
+        only: Option<&str>,
+    ) -> Result<Vec<Case>, Fault> {
         let meshes = project.available_meshes();
         let case = |layout: &NamedLayout| {
             let find = |id: &str| project.find_mesh(id);
@@ -283,13 +292,13 @@ fn ids(meshes: &[Arc<MeshType>]) -> Vec<String> {
 }
 
 /// What to say to a mesh that nobody knows; `place` is the flag or argument.
-pub fn unknown_mesh(place: &str, id: &str, known: &[String]) -> String {
+pub(crate) fn unknown_mesh(place: &str, id: &str, known: &[String]) -> String {
     let words: Vec<&str> = known.iter().map(String::as_str).collect();
     unknown(place, "there is no mesh of this identifier", id, &words)
 }
 
 /// What to say to a layout that the project does not have.
-pub fn unknown_layout(project: &Project, name: &str) -> String {
+pub(crate) fn unknown_layout(project: &Project, name: &str) -> String {
     let words: Vec<&str> = project.layouts.iter().map(|l| l.name.as_str()).collect();
     unknown("--layout", "the project has no layout of this name", name, &words)
 }

@@ -1,6 +1,6 @@
 //! Where a text goes: standard output, or a file that is never overwritten by chance.
 
-use super::output::{Fault, Outcome, Output};
+use super::output::{CommandEnd, Fault, Output};
 use crate::project::{Overwrite, SaveError, same_file, write_file};
 use clap::Args;
 use std::io::ErrorKind;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Flags of commands that write a text.
 #[derive(Debug, Clone, Args)]
-pub struct Destination {
+pub(crate) struct Destination {
     /// File to write; without it, or as `-`, standard output.
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
@@ -19,7 +19,7 @@ pub struct Destination {
 
 impl Destination {
     /// The file's ending, small letters, if there is a file with one.
-    pub fn ending(&self) -> Option<String> {
+    pub(crate) fn ending(&self) -> Option<String> {
         Some(self.path()?.extension()?.to_str()?.to_ascii_lowercase())
     }
 
@@ -31,7 +31,7 @@ impl Destination {
     ///
     /// # Errors
     /// Why the file was not written; it is as it was then.
-    pub fn put(&self, text: String, notes: Vec<String>, source: &Path) -> Outcome {
+    pub(crate) fn put(&self, text: String, notes: Vec<String>, source: &Path) -> CommandEnd {
         let Some(path) = self.path() else {
             return Ok(Output { result: text, notes, ..Output::default() });
         };

@@ -2,7 +2,7 @@
 
 use super::UiFlags;
 use super::destination::Destination;
-use super::output::{Fault, Outcome};
+use super::output::{CommandEnd, Fault};
 use super::source::ProjectFile;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Case, Check, csv};
@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 
 /// Write curves or a table as CSV, a chart or a plan as SVG.
 #[derive(Debug, Args)]
-pub struct ExportArgs {
+pub(crate) struct ExportArgs {
     #[command(flatten)]
     project: ProjectFile,
     /// Only the layout of this name; a plan always is of one layout.
@@ -67,7 +67,7 @@ impl What {
 }
 
 /// Writes what is asked for.
-pub fn run(args: &ExportArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
     let what = what(args)?;
     let (opened, cases) = args.project.open(args.layout.as_deref())?;
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);

@@ -1,6 +1,6 @@
 //! Flags of the interactive program, which every subcommand takes too.
 
-use crate::app::settings::{Item, Settings};
+use crate::app::settings::{SettingItem, Settings};
 use crate::units::LengthUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -8,55 +8,57 @@ use clap::{Args, ValueEnum};
 /// Flags that decide how the interactive program looks. What is missing is left to the environment
 /// (`NO_COLOR` means no colour), the project and the user's settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Args)]
-pub struct UiFlags {
+pub(crate) struct UiFlags {
     /// Colours of the screen; NO_COLOR in the environment means none.
     #[arg(long, global = true, value_enum, value_name = "COLOURS", help_heading = "Screen")]
-    pub color: Option<ColorFlag>,
+    pub(crate) color: Option<ColorFlag>,
     /// Signs that curves are drawn with.
     #[arg(long, global = true, value_enum, value_name = "SIGNS", help_heading = "Screen")]
-    pub glyphs: Option<GlyphFlag>,
+    pub(crate) glyphs: Option<GlyphFlag>,
     /// Unit of lengths on the screen and in text results; files, JSON and CSV are always in metres.
     #[arg(long, global = true, value_name = "UNIT", value_parser = length_unit(), help_heading = "Screen")]
-    pub units: Option<LengthUnit>,
+    pub(crate) units: Option<LengthUnit>,
 }
 
 /// Flags of the interactive program alone: each is a setting too, and stands above the kept one for
 /// this run. Subcommands have flags of their own for these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Args)]
-pub struct StartFlags {
+pub(crate) struct StartFlags {
     /// How exactly checks compute in the program.
     #[arg(long, value_enum, value_name = "FIDELITY", help_heading = "Program")]
-    pub fidelity: Option<FidelityFlag>,
+    pub(crate) fidelity: Option<FidelityFlag>,
     /// Runs of a check in the program: auto or a number.
     #[arg(long, value_name = "N", value_parser = runs, help_heading = "Program")]
-    pub runs: Option<Runs>,
+    pub(crate) runs: Option<Runs>,
     /// Start with live mode on: a quick check follows every edit.
     #[arg(long, overrides_with = "no_live", help_heading = "Program")]
-    pub live: bool,
+    pub(crate) live: bool,
     /// Start with live mode off.
     #[arg(long, overrides_with = "live", help_heading = "Program")]
-    pub no_live: bool,
+    pub(crate) no_live: bool,
     /// Start with the tour.
     #[arg(long, overrides_with = "no_tour", help_heading = "Program")]
-    pub tour: bool,
+    pub(crate) tour: bool,
     /// Start without the first-run tour.
     #[arg(long, overrides_with = "tour", help_heading = "Program")]
-    pub no_tour: bool,
+    pub(crate) no_tour: bool,
 }
 
 /// How many runs; none is as many as needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Runs(pub Option<usize>);
+pub(crate) struct Runs(pub(crate) Option<usize>);
 
 fn runs(text: &str) -> Result<Runs, String> {
     let mut settings = Settings::default();
-    settings.set(Item::Runs, text).map_err(|_| format!("allowed: {}", Item::Runs.allowed()))?;
+    settings
+        .set(SettingItem::Runs, text)
+        .map_err(|_| format!("allowed: {}", SettingItem::Runs.allowed()))?;
     Ok(Runs(settings.runs))
 }
 
 /// How exactly to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum FidelityFlag {
+pub(crate) enum FidelityFlag {
     /// Errors within 3 %.
     Quick,
     /// Errors within 1 %.
@@ -67,13 +69,13 @@ pub enum FidelityFlag {
 
 impl StartFlags {
     /// Whether any of them was given.
-    pub fn any(&self) -> bool {
+    pub(crate) fn any(&self) -> bool {
         *self != StartFlags::default()
     }
 }
 
 /// The flags of this run as settings with their words.
-pub fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(Item, String)> {
+pub(crate) fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(SettingItem, String)> {
     fn word<T: ValueEnum>(value: &T) -> String {
         value.to_possible_value().map_or(String::new(), |v| v.get_name().to_string())
     }
@@ -83,13 +85,13 @@ pub fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(Item, String)> {
         _ => None,
     };
     [
-        (Item::Units, ui.units.map(|u| u.symbol().to_string())),
-        (Item::Glyphs, ui.glyphs.as_ref().map(word)),
-        (Item::Color, ui.color.as_ref().map(word)),
-        (Item::Fidelity, start.fidelity.as_ref().map(word)),
-        (Item::Runs, start.runs.map(|r| r.0.map_or("auto".into(), |n| n.to_string()))),
-        (Item::Live, switch(start.live, start.no_live, ["on", "off"])),
-        (Item::Tour, switch(start.tour, start.no_tour, ["due", "seen"])),
+        (SettingItem::Units, ui.units.map(|u| u.symbol().to_string())),
+        (SettingItem::Glyphs, ui.glyphs.as_ref().map(word)),
+        (SettingItem::Color, ui.color.as_ref().map(word)),
+        (SettingItem::Fidelity, start.fidelity.as_ref().map(word)),
+        (SettingItem::Runs, start.runs.map(|r| r.0.map_or("auto".into(), |n| n.to_string()))),
+        (SettingItem::Live, switch(start.live, start.no_live, ["on", "off"])),
+        (SettingItem::Tour, switch(start.tour, start.no_tour, ["due", "seen"])),
     ]
     .into_iter()
     .filter_map(|(item, word)| Some((item, word?)))
@@ -98,7 +100,7 @@ pub fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(Item, String)> {
 
 /// Which colours to use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ColorFlag {
+pub(crate) enum ColorFlag {
     /// What the terminal can show.
     Auto,
     /// The sixteen named colours at most.
@@ -110,7 +112,7 @@ pub enum ColorFlag {
 
 /// Which signs to draw curves with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum GlyphFlag {
+pub(crate) enum GlyphFlag {
     /// Braille dots, two by four a character.
     Braille,
     /// Block characters.

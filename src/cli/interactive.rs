@@ -2,12 +2,14 @@
 
 use super::output::Fault;
 use super::{StartFlags, UiFlags, flags, headless_help, output};
-use crate::app::settings::Item;
+use crate::app::settings::SettingItem;
 use crate::app::{self, App};
-use crate::project::home::{Home, Start};
+use crate::project::home::{FirstProject, Home};
 use crate::project::{self, Opened};
 use crate::term::capabilities::Surroundings;
-use crate::term::{Ending, FileHost, Options, Session, TermError, kept, migrated, preferences};
+use crate::term::{
+    Ending, FileHost, Session, SessionOptions, TermError, kept, migrated, preferences,
+};
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -15,7 +17,7 @@ use std::sync::Arc;
 
 /// Opens a project in the terminal: the one named, or the last one. Without a terminal on standard
 /// input and output, prints the help of the headless commands to standard error: exit code 2.
-pub fn interactive(path: Option<PathBuf>, ui: UiFlags, start: StartFlags) -> ExitCode {
+pub(crate) fn interactive(path: Option<PathBuf>, ui: UiFlags, start: StartFlags) -> ExitCode {
     if !(io::stdin().is_terminal() && io::stdout().is_terminal()) {
         output::say(
             "error",
@@ -28,13 +30,13 @@ pub fn interactive(path: Option<PathBuf>, ui: UiFlags, start: StartFlags) -> Exi
 }
 
 /// Opens the project and hands the terminal over.
-fn open(path: Option<PathBuf>, flags: Vec<(Item, String)>) -> ExitCode {
+fn open(path: Option<PathBuf>, flags: Vec<(SettingItem, String)>) -> ExitCode {
     let home = Home::find();
     let start = match path {
-        Some(path) => project::load(&path).map(|opened| Start { opened, note: None }),
+        Some(path) => project::load(&path).map(|opened| FirstProject { opened, note: None }),
         None => home.start_project(),
     };
-    let Start { opened, note } = match start {
+    let FirstProject { opened, note } = match start {
         Ok(start) => start,
         Err(error) => return output::finish(Err(Fault::from(error))),
     };
@@ -51,7 +53,7 @@ fn open(path: Option<PathBuf>, flags: Vec<(Item, String)>) -> ExitCode {
 fn run(
     opened: Opened,
     note: Option<String>,
-    flags: Vec<(Item, String)>,
+    flags: Vec<(SettingItem, String)>,
     home: Home,
 ) -> Result<Ending, TermError> {
     let Opened { document, project } = opened;
@@ -59,10 +61,10 @@ fn run(
     let (preferences, bad_settings) = preferences(&home, &surroundings, flags);
     let settings = preferences.effective();
     let charset = surroundings.charset(settings.glyphs);
-    let session = Session::open(Options {
+    let session = Session::open(SessionOptions {
         charset,
         clipboard: surroundings.clipboard(),
-        ..Options::default()
+        ..SessionOptions::default()
     })?;
     if let Some(path) = document.path() {
         // Not being able to remember the file is no reason not to open it.

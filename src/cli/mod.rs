@@ -1,7 +1,7 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`check`], [`calibrate`], [`bench`], [`mesh`], [`new`], [`validate`], [`export`],
+//! - [`forecast`], [`check`], [`calibrate`], [`mod@bench`], [`mesh`], [`new`], [`validate`], [`export`],
 //!   [`report`]: the subcommands; [`interactive`]: none of them.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
 //!   forecasts of the first three.
@@ -13,38 +13,38 @@
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
-pub mod bench;
-pub mod calibrate;
-pub mod case;
-pub mod check;
-pub mod compare;
-pub mod dem;
-pub mod design;
-pub mod destination;
-pub mod export;
-pub mod flags;
-pub mod forecast;
-pub mod interactive;
-pub mod mesh;
-pub mod new;
-pub mod output;
+pub(crate) mod bench;
+pub(crate) mod calibrate;
+pub(crate) mod case;
+pub(crate) mod check;
+pub(crate) mod compare;
+pub(crate) mod dem;
+pub(crate) mod design;
+pub(crate) mod destination;
+pub(crate) mod export;
+pub(crate) mod flags;
+pub(crate) mod forecast;
+pub(crate) mod interactive;
+pub(crate) mod mesh;
+pub(crate) mod new;
+pub(crate) mod output;
 mod page;
-pub mod quantity;
-pub mod report;
-pub mod sensitivity;
-pub mod shapes;
-pub mod source;
-pub mod sweep;
-pub mod validate;
-pub mod watch;
-pub mod wire;
+pub(crate) mod quantity;
+pub(crate) mod report;
+pub(crate) mod sensitivity;
+pub(crate) mod shapes;
+pub(crate) mod source;
+pub(crate) mod sweep;
+pub(crate) mod validate;
+pub(crate) mod watch;
+pub(crate) mod wire;
 
-pub use crate::VERSION;
-pub use flags::{StartFlags, UiFlags};
+pub(crate) use crate::VERSION;
+pub(crate) use flags::{StartFlags, UiFlags};
 
 use crate::words::nearest;
 use clap::{CommandFactory, Parser, Subcommand};
-use output::{Fault, Outcome};
+use output::{CommandEnd, Fault};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -125,7 +125,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> Outcome {
+fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEnd {
     if let Some(path) = project {
         return Err(Fault::input(format!(
             "a project ({:?}) stands before the command; it belongs behind it: meshcast forecast PROJECT.ron",

@@ -1,6 +1,6 @@
 //! `meshcast new PATH`: a new project file with one layout and comments that explain the format.
 
-use super::output::{self, Fault, Outcome};
+use super::output::{self, CommandEnd, Fault};
 use crate::project::{SaveError, create, new_project};
 use clap::Args;
 use std::io::ErrorKind;
@@ -8,14 +8,14 @@ use std::path::PathBuf;
 
 /// Make a new project file, with comments that explain the format.
 #[derive(Debug, Args)]
-pub struct NewArgs {
+pub(crate) struct NewArgs {
     /// Where to put it; an existing file is never overwritten.
     #[arg(value_name = "PATH")]
     path: PathBuf,
 }
 
 /// Makes the file and says where it is.
-pub fn run(args: &NewArgs) -> Outcome {
+pub(crate) fn run(args: &NewArgs) -> CommandEnd {
     let stem = args.path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     // A name is a line of its own in the file: no control characters, and never too long.
     let name: String = stem.chars().filter(|c| !c.is_control()).take(60).collect();

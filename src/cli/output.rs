@@ -10,15 +10,15 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 /// Exit code of a failure: a disk, a printed digit that differs.
-pub const FAILURE: u8 = 1;
+pub(crate) const FAILURE: u8 = 1;
 /// Exit code of bad input: a flag, a value, a file.
-pub const BAD_INPUT: u8 = 2;
+pub(crate) const BAD_INPUT: u8 = 2;
 /// Exit code of a run that the user ended with Ctrl+C: 128 and the signal's number.
-pub const INTERRUPTED: u8 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// How a result is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Format {
+pub(crate) enum Format {
     /// A text for people.
     #[default]
     Text,
@@ -28,7 +28,7 @@ pub enum Format {
 
 /// How a result is written that is a table too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum TableFormat {
+pub(crate) enum TableFormat {
     /// A text for people.
     #[default]
     Text,
@@ -40,20 +40,20 @@ pub enum TableFormat {
 
 /// What a subcommand has to say when it went well.
 #[derive(Debug, Default)]
-pub struct Output {
+pub(crate) struct Output {
     /// The result, for standard output, with its last line feed.
-    pub result: String,
+    pub(crate) result: String,
     /// Remarks, for standard error.
-    pub notes: Vec<String>,
+    pub(crate) notes: Vec<String>,
     /// Whether the result itself is bad news: exit code 1.
-    pub failed: bool,
+    pub(crate) failed: bool,
     /// Whether the user ended it early, so that the result is a part: exit code 130.
-    pub interrupted: bool,
+    pub(crate) interrupted: bool,
 }
 
 /// Why there is no result.
 #[derive(Debug, thiserror::Error)]
-pub enum Fault {
+pub(crate) enum Fault {
     /// Something that was typed or stands in a file is wrong; one sentence each.
     #[error("{}", .0.join("\n"))]
     Input(Vec<String>),
@@ -64,7 +64,7 @@ pub enum Fault {
 
 impl Fault {
     /// One thing that is wrong with the input.
-    pub fn input(said: impl Into<String>) -> Fault {
+    pub(crate) fn input(said: impl Into<String>) -> Fault {
         Fault::Input(vec![said.into()])
     }
 }
@@ -86,15 +86,15 @@ impl From<LoadError> for Fault {
 }
 
 /// What a subcommand returns.
-pub type Outcome = Result<Output, Fault>;
+pub(crate) type CommandEnd = Result<Output, Fault>;
 
 /// A result without remarks.
-pub fn result(text: String) -> Outcome {
+pub(crate) fn result(text: String) -> CommandEnd {
     Ok(Output { result: text, ..Output::default() })
 }
 
 /// Writes an outcome and returns the exit code.
-pub fn finish(outcome: Outcome) -> ExitCode {
+pub(crate) fn finish(outcome: CommandEnd) -> ExitCode {
     match outcome {
         Ok(output) => {
             for note in &output.notes {
@@ -129,7 +129,7 @@ pub fn finish(outcome: Outcome) -> ExitCode {
 }
 
 /// Says something on standard error; where nobody listens, nothing happens.
-pub fn say(kind: &str, text: &str) {
+pub(crate) fn say(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
@@ -140,7 +140,7 @@ fn to_stdout(text: &str) -> io::Result<()> {
 }
 
 /// Text as a field of CSV after RFC 4180: in quotes where it holds a comma, a quote or a line end.
-pub fn quoted(text: &str) -> Cow<'_, str> {
+pub(crate) fn quoted(text: &str) -> Cow<'_, str> {
     if text.contains([',', '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
     } else {
@@ -149,18 +149,18 @@ pub fn quoted(text: &str) -> Cow<'_, str> {
 }
 
 /// JSON of a value that is made of structs, lists, texts and finite numbers.
-pub fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
+pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
     serde_json::to_string(value)
         .map_err(|e| Fault::Failure(format!("the result cannot be written as JSON: {e}")))
 }
 
 /// For `#[serde(serialize_with = ...)]`: a number without the noise of conversion.
-pub fn number<S: Serializer>(value: &f64, s: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn number<S: Serializer>(value: &f64, s: S) -> Result<S::Ok, S::Error> {
     s.serialize_f64(without_noise(*value))
 }
 
 /// The same for a number that may be missing.
-pub fn optional<S: Serializer>(value: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn optional<S: Serializer>(value: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
     match value {
         Some(value) => number(value, s),
         None => s.serialize_none(),
@@ -168,12 +168,12 @@ pub fn optional<S: Serializer>(value: &Option<f64>, s: S) -> Result<S::Ok, S::Er
 }
 
 /// The same for a list.
-pub fn list<S: Serializer>(values: &[f64], s: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn list<S: Serializer>(values: &[f64], s: S) -> Result<S::Ok, S::Error> {
     s.collect_seq(values.iter().map(|v| without_noise(*v)))
 }
 
 /// JSON objects as one line each in a list, or the one object alone.
-pub fn json_list<T: serde::Serialize>(
+pub(crate) fn json_list<T: serde::Serialize>(
     objects: impl IntoIterator<Item = T>,
     several: bool,
 ) -> Result<String, Fault> {
@@ -186,13 +186,13 @@ pub fn json_list<T: serde::Serialize>(
 }
 
 /// A number as a field of CSV, without the noise of conversion; empty where it is missing.
-pub fn cell(value: Option<f64>) -> String {
+pub(crate) fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, |v| without_noise(v).to_string())
 }
 
 /// Breaks a text into lines of at most `width` columns: the first begins with `head`, the others are
 /// indented to the width of it. A word that is too long stands on a line of its own.
-pub fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
     use unicode_width::UnicodeWidthStr;
     let indent = " ".repeat(head.width());
     let mut lines = Vec::new();

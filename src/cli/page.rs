@@ -1,7 +1,7 @@
 //! A text for people: lines of at most 80 columns with a word in front.
 
-pub use crate::study::case::{input_unit, input_value};
-pub use crate::units::percent;
+pub(crate) use crate::study::case::{input_unit, input_value};
+pub(crate) use crate::units::percent;
 
 use super::VERSION;
 use super::output::wrapped;
@@ -13,44 +13,44 @@ use crate::units::{
 };
 
 /// What stands with every answer: what the method is a forecast of.
-pub const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
+pub(crate) const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
 
 /// Widest line, columns.
-pub const WIDTH: usize = 80;
+pub(crate) const WIDTH: usize = 80;
 /// Columns of the words in front.
-pub const MARGIN: usize = 14;
+pub(crate) const MARGIN: usize = 14;
 
 /// The lines of one layout.
 #[derive(Debug)]
-pub struct Page {
+pub(crate) struct Page {
     /// Lines so far, each at most [`WIDTH`] columns.
-    pub lines: Vec<String>,
+    pub(crate) lines: Vec<String>,
     /// Unit of lengths.
-    pub unit: LengthUnit,
+    pub(crate) unit: LengthUnit,
 }
 
 impl Page {
     /// An empty page.
-    pub fn new(unit: LengthUnit) -> Page {
+    pub(crate) fn new(unit: LengthUnit) -> Page {
         Page { lines: Vec::new(), unit }
     }
 
     /// A line, or more if the text is long, with a word in front.
-    pub fn line(&mut self, head: &str, text: impl AsRef<str>) {
+    pub(crate) fn line(&mut self, head: &str, text: impl AsRef<str>) {
         self.lines.extend(wrapped(&format!("{head:<MARGIN$}"), text.as_ref(), WIDTH));
     }
 
     /// A computed length.
-    pub fn length(&self, metres: f64) -> String {
+    pub(crate) fn length(&self, metres: f64) -> String {
         length_text(metres, self.unit)
     }
 
     /// A length as entered.
-    pub fn entry(&self, metres: f64) -> String {
+    pub(crate) fn entry(&self, metres: f64) -> String {
         format!("{} {}", length_entry(metres, self.unit), self.unit.symbol())
     }
     /// What a result is of: the layout's name or the command's, version, fingerprint, inputs, mesh.
-    pub fn inputs(
+    pub(crate) fn inputs(
         &mut self,
         command: &str,
         name: Option<&str>,
@@ -76,7 +76,7 @@ impl Page {
     }
 
     /// The answer to a design question.
-    pub fn design(&mut self, answer: &Answer, question: &Question) {
+    pub(crate) fn design(&mut self, answer: &Answer, question: &Question) {
         let (on_load, on_resistance) =
             (shortest(question.gamma_load), shortest(question.gamma_resistance));
         self.line(
@@ -123,13 +123,13 @@ impl Page {
     }
 
     /// The lines as a text.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         self.lines.join("\n") + "\n"
     }
 }
 
 /// What a result says where there is no layout.
-pub const NO_LAYOUTS: &str = "The project has no layouts.\n";
+pub(crate) const NO_LAYOUTS: &str = "The project has no layouts.\n";
 
 #[cfg(test)]
 mod tests {

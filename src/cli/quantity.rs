@@ -4,7 +4,7 @@
 use crate::units::{LengthUnit, Quantity, parse};
 
 /// Range of a plate or a punch, for messages.
-pub const SIZE_RANGE: &str = "above 0, below the spacing L";
+pub(crate) const SIZE_RANGE: &str = "above 0, below the spacing L";
 
 fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
     let how = match quantity {
@@ -16,53 +16,53 @@ fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
 }
 
 /// Plate side or punch diameter, m.
-pub fn size(text: &str) -> Result<f64, String> {
+pub(crate) fn size(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, SIZE_RANGE)
 }
 
 /// Spacing, m.
-pub fn spacing(text: &str) -> Result<f64, String> {
+pub(crate) fn spacing(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, "above 0, below 100 m")
 }
 
 /// Offset, m.
-pub fn offset(text: &str) -> Result<f64, String> {
+pub(crate) fn offset(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, "-L/2 to L/2")
 }
 
 /// Design force, N.
-pub fn force(text: &str) -> Result<f64, String> {
+pub(crate) fn force(text: &str) -> Result<f64, String> {
     read(text, Quantity::Force, "above 0, up to 10000 kN")
 }
 
 /// Allowable deflection, m.
-pub fn deflection(text: &str) -> Result<f64, String> {
+pub(crate) fn deflection(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, "above 0, up to 10 m")
 }
 
 /// Partial factor.
-pub fn factor(text: &str) -> Result<f64, String> {
+pub(crate) fn factor(text: &str) -> Result<f64, String> {
     read(text, Quantity::Number, "0.5 to 5")
 }
 
 /// Largest force of a laboratory test, N.
-pub fn test_force(text: &str) -> Result<f64, String> {
+pub(crate) fn test_force(text: &str) -> Result<f64, String> {
     above_zero(force(text)?, "above 0, up to 10000 kN", 1.0e7)
 }
 
 /// A length above 0, up to 100 m.
-pub fn length(text: &str) -> Result<f64, String> {
+pub(crate) fn length(text: &str) -> Result<f64, String> {
     let allowed = "above 0, up to 100 m";
     above_zero(read(text, Quantity::Length, allowed)?, allowed, 100.0)
 }
 
 /// A length of 0 or more, up to 10 m.
-pub fn distance(text: &str) -> Result<f64, String> {
+pub(crate) fn distance(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, "from 0, up to 10 m")
 }
 
 /// A number without a unit; its range is checked where it is used.
-pub fn number(text: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str) -> Result<f64, String> {
     parse(text, Quantity::Number, LengthUnit::Metre).map_err(|e| e.to_string())
 }
 

@@ -2,14 +2,14 @@
 
 use super::UiFlags;
 use super::destination::Destination;
-use super::output::Outcome;
+use super::output::CommandEnd;
 use super::source::ProjectFile;
-use crate::export::{Check, Report, Source};
+use crate::export::{Check, Report, ReportSource};
 use clap::{Args, ValueEnum};
 
 /// Write a report that holds everything: inputs, method, values at each step, pictures, warnings.
 #[derive(Debug, Args)]
-pub struct ReportArgs {
+pub(crate) struct ReportArgs {
     #[command(flatten)]
     project: ProjectFile,
     /// How to write it [default: by the file's ending, else html].
@@ -29,7 +29,7 @@ enum Format {
 }
 
 /// Writes the report.
-pub fn run(args: &ReportArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &ReportArgs, ui: &UiFlags) -> CommandEnd {
     let (opened, cases) = args.project.open(None)?;
     let file_name = opened.document.title();
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
@@ -39,7 +39,11 @@ pub fn run(args: &ReportArgs, ui: &UiFlags) -> Outcome {
         project: &opened.project,
         cases: &cases,
         checks: &checks,
-        source: Source { file_name: &file_name, text: opened.document.on_disk(), edited: false },
+        source: ReportSource {
+            file_name: &file_name,
+            text: opened.document.on_disk(),
+            edited: false,
+        },
         unit,
     };
     let format = args.format.unwrap_or_else(|| match args.to.ending().as_deref() {

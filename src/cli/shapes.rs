@@ -15,81 +15,81 @@ use serde::Serialize;
 
 /// How the result of a layout begins. To be flattened.
 #[derive(Debug, Serialize)]
-pub struct Head<'a> {
+pub(crate) struct Head<'a> {
     /// Its name, in the list of a project.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub layout: Option<&'a str>,
+    pub(crate) layout: Option<&'a str>,
     /// Version of the program.
-    pub version: &'static str,
+    pub(crate) version: &'static str,
     /// Of all that the result was made from.
-    pub fingerprint: String,
+    pub(crate) fingerprint: String,
     /// The layout with its mesh.
-    pub inputs: InputsJson<'a>,
+    pub(crate) inputs: InputsJson<'a>,
 }
 
 /// The inputs of a layout.
 #[derive(Debug, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct InputsJson<'a> {
+pub(crate) struct InputsJson<'a> {
     #[serde(serialize_with = "number")]
-    pub d_m: f64,
+    pub(crate) d_m: f64,
     #[serde(serialize_with = "number")]
     pub L_m: f64,
     #[serde(serialize_with = "number")]
     pub D_m: f64,
     #[serde(serialize_with = "number")]
-    pub ex_m: f64,
+    pub(crate) ex_m: f64,
     #[serde(serialize_with = "number")]
-    pub ey_m: f64,
-    pub mesh: &'a str,
-    pub branch: &'static str,
+    pub(crate) ey_m: f64,
+    pub(crate) mesh: &'a str,
+    pub(crate) branch: &'static str,
 }
 
 /// How a case differs from a study's base. To be flattened.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct ChangeValues {
+pub(crate) struct ChangeValues {
     #[serde(serialize_with = "number")]
     pub F_kN: f64,
     #[serde(serialize_with = "number")]
-    pub delta_m: f64,
+    pub(crate) delta_m: f64,
     #[serde(serialize_with = "optional")]
-    pub utilisation: Option<f64>,
+    pub(crate) utilisation: Option<f64>,
     /// Parts of the base's values.
     #[serde(serialize_with = "number")]
     pub F: f64,
     #[serde(serialize_with = "number")]
-    pub delta: f64,
+    pub(crate) delta: f64,
 }
 
 /// A force with its deflection.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct Pair {
+pub(crate) struct Pair {
     #[serde(serialize_with = "number")]
     pub F_kN: f64,
     #[serde(serialize_with = "number")]
-    pub delta_m: f64,
+    pub(crate) delta_m: f64,
 }
 
 /// The answer to a design question, with the factors that act.
 #[derive(Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct Design {
+pub(crate) struct Design {
     #[serde(serialize_with = "number")]
-    pub gamma_resistance: f64,
+    pub(crate) gamma_resistance: f64,
     #[serde(serialize_with = "number")]
-    pub gamma_load: f64,
+    pub(crate) gamma_load: f64,
     #[serde(serialize_with = "number")]
-    pub resistance_kN: f64,
-    pub at_force: Option<AtForce>,
-    pub at_deflection: Option<AtDeflection>,
+    pub(crate) resistance_kN: f64,
+    pub(crate) at_force: Option<AtForce>,
+    pub(crate) at_deflection: Option<AtDeflection>,
 }
 
 /// For the design force.
 #[derive(Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct AtForce {
+pub(crate) struct AtForce {
     #[serde(serialize_with = "number")]
     pub F_kN: f64,
     #[serde(serialize_with = "number")]
@@ -106,41 +106,45 @@ pub struct AtForce {
 /// For the allowable deflection.
 #[derive(Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct AtDeflection {
+pub(crate) struct AtDeflection {
     #[serde(serialize_with = "number")]
-    pub delta_m: f64,
+    pub(crate) delta_m: f64,
     #[serde(serialize_with = "number")]
     pub F_kN: f64,
     #[serde(serialize_with = "number")]
-    pub design_F_kN: f64,
+    pub(crate) design_F_kN: f64,
     #[serde(serialize_with = "number")]
-    pub energy_kJ: f64,
-    pub beyond_failure: bool,
+    pub(crate) energy_kJ: f64,
+    pub(crate) beyond_failure: bool,
 }
 
 /// A warning.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct WarningJson {
-    pub code: &'static str,
-    pub weight: &'static str,
-    pub message: String,
+pub(crate) struct WarningJson {
+    pub(crate) code: &'static str,
+    pub(crate) weight: &'static str,
+    pub(crate) message: String,
 }
 
 /// A force with its deflection, converted.
-pub fn pair(values: Values) -> Pair {
+pub(crate) fn pair(values: Values) -> Pair {
     Pair { F_kN: to_kn(values.force), delta_m: values.deflection }
 }
 
 impl<'a> Head<'a> {
     /// Of a layout's name, where it has one, a fingerprint and the inputs.
-    pub fn of(name: Option<&'a str>, fingerprint: Fingerprint, inputs: InputsJson<'a>) -> Head<'a> {
+    pub(crate) fn of(
+        name: Option<&'a str>,
+        fingerprint: Fingerprint,
+        inputs: InputsJson<'a>,
+    ) -> Head<'a> {
         Head { layout: name, version: VERSION, fingerprint: fingerprint.to_string(), inputs }
     }
 }
 
 impl<'a> InputsJson<'a> {
     /// Of a layout with its mesh.
-    pub fn of(layout: &Layout, mesh: &'a MeshType, rule: BranchRule) -> InputsJson<'a> {
+    pub(crate) fn of(layout: &Layout, mesh: &'a MeshType, rule: BranchRule) -> InputsJson<'a> {
         InputsJson {
             d_m: layout.plate,
             L_m: layout.spacing,
@@ -155,14 +159,14 @@ impl<'a> InputsJson<'a> {
 
 impl WarningJson {
     /// Of a warning.
-    pub fn of(w: &Warning) -> WarningJson {
+    pub(crate) fn of(w: &Warning) -> WarningJson {
         WarningJson { code: w.code(), weight: w.weight().word(), message: w.message() }
     }
 }
 
 impl Design {
     /// Of an answer to a question.
-    pub fn of(answer: &Answer, question: &Question) -> Design {
+    pub(crate) fn of(answer: &Answer, question: &Question) -> Design {
         Design {
             gamma_resistance: question.gamma_resistance,
             gamma_load: question.gamma_load,
@@ -197,7 +201,7 @@ impl From<Point> for Pair {
 /// A curve.
 #[derive(Debug, Serialize)]
 #[allow(non_snake_case, reason = "the names are the paper's symbols")]
-pub struct CurveJson {
+pub(crate) struct CurveJson {
     #[serde(serialize_with = "list")]
     delta_m: Vec<f64>,
     #[serde(serialize_with = "list")]

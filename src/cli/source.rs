@@ -9,10 +9,10 @@ use std::path::PathBuf;
 
 /// A project file on the command line.
 #[derive(Debug, Clone, Args)]
-pub struct ProjectFile {
+pub(crate) struct ProjectFile {
     /// Project file.
     #[arg(value_name = "PROJECT.ron")]
-    pub path: PathBuf,
+    pub(crate) path: PathBuf,
 }
 
 impl ProjectFile {
@@ -20,7 +20,7 @@ impl ProjectFile {
     ///
     /// # Errors
     /// What is wrong in the file or with the name.
-    pub fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<Case>), Fault> {
+    pub(crate) fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<Case>), Fault> {
         let opened = load(&self.path)?;
         let project = &opened.project;
         let found = match only {

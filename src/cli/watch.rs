@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex};
 const WIDTH: usize = 78;
 
 /// Watches over one or several ensembles.
-pub struct Watch {
+pub(crate) struct Watch {
     cancel: Arc<AtomicBool>,
     terminal: bool,
     start: f64,
@@ -36,7 +36,7 @@ struct State {
 impl Watch {
     /// Starts to watch, and to listen for Ctrl+C: the first one asks for an early end, a second one
     /// ends the process.
-    pub fn start() -> Watch {
+    pub(crate) fn start() -> Watch {
         let cancel = Arc::new(AtomicBool::new(false));
         listen(&cancel);
         Watch {
@@ -48,19 +48,19 @@ impl Watch {
     }
 
     /// Whether the user asked for an early end.
-    pub fn cancelled(&self) -> bool {
+    pub(crate) fn cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
     }
 
     /// Goes on to part `part` of `parts`, whose runs are expected to end at `end` (m).
-    pub fn begin(&self, label: &str, part: usize, parts: usize, end: f64) {
+    pub(crate) fn begin(&self, label: &str, part: usize, parts: usize, end: f64) {
         let mut state = self.lock();
         state.label = label.to_string();
         state.pace.begin(part, parts, end);
     }
 
     /// The same, if this part has not begun yet.
-    pub fn part(&self, label: &str, part: usize, parts: usize, end: f64) {
+    pub(crate) fn part(&self, label: &str, part: usize, parts: usize, end: f64) {
         let here = self.lock().label == label;
         if !here {
             self.begin(label, part, parts, end);
@@ -68,7 +68,7 @@ impl Watch {
     }
 
     /// Takes an ensemble's progress and answers it.
-    pub fn tell(&self, now: EnsembleProgress) -> Flow {
+    pub(crate) fn tell(&self, now: EnsembleProgress) -> Flow {
         if self.cancelled() {
             return Flow::Cancel;
         }
@@ -89,7 +89,7 @@ impl Watch {
     }
 
     /// Ends: the line goes, or a last one says how long it took.
-    pub fn finish(&self, done: &str) {
+    pub(crate) fn finish(&self, done: &str) {
         let ended = if self.cancelled() { "ended early by the user" } else { "done" };
         if self.terminal {
             let _ = write!(io::stderr(), "\r{:WIDTH$}\r", "");
@@ -150,7 +150,7 @@ mod tests {
     fn the_line_says_run_part_and_time_left() {
         let mut state = State { label: "check".into(), ..State::default() };
         state.pace.begin(0, 2, 0.5);
-        let at = crate::dem::Progress {
+        let at = crate::dem::RunProgress {
             deflection: 0.25,
             force: 0.0,
             utilisation: 0.0,

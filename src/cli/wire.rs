@@ -8,11 +8,11 @@ use crate::project::load_wire;
 use std::path::Path;
 
 /// Laws with a name.
-pub const LAWS: &str = "bench, yade or reference";
+pub(crate) const LAWS: &str = "bench, yade or reference";
 
 /// What stands above the mesh's own wires.
 #[derive(Debug, Clone, Default)]
-pub struct Wires {
+pub(crate) struct Wires {
     file: Option<WireData>,
     law: Option<WireData>,
 }
@@ -22,7 +22,7 @@ impl Wires {
     ///
     /// # Errors
     /// A file that cannot be read, or a law of no such name.
-    pub fn read(mesh_file: Option<&Path>, law: Option<&str>) -> Result<Wires, Fault> {
+    pub(crate) fn read(mesh_file: Option<&Path>, law: Option<&str>) -> Result<Wires, Fault> {
         let file = mesh_file.map(load_wire).transpose()?;
         let law = law.map(named_or_file).transpose()?;
         Ok(Wires { file, law })
@@ -32,7 +32,7 @@ impl Wires {
     ///
     /// # Errors
     /// A mesh without wire data where no file stands in for them.
-    pub fn of(&self, mesh: &MeshType) -> Result<WireData, Fault> {
+    pub(crate) fn of(&self, mesh: &MeshType) -> Result<WireData, Fault> {
         let Some(wire) = self.file.as_ref().or(mesh.wire.as_ref()) else {
             return Err(Fault::input(without_wire(mesh)));
         };
@@ -44,7 +44,7 @@ impl Wires {
 }
 
 /// What to say of a mesh that has no wire data.
-pub fn without_wire(mesh: &MeshType) -> String {
+pub(crate) fn without_wire(mesh: &MeshType) -> String {
     Problem::new("mesh", "nothing is known of its net and wires, so it can be forecast and not checked")
         .value(format!("{:?}", mesh.id))
         .advice(
@@ -57,7 +57,7 @@ pub fn without_wire(mesh: &MeshType) -> String {
 ///
 /// # Errors
 /// No such name, or a file that cannot be read.
-pub fn named_or_file(law: &str) -> Result<WireData, Fault> {
+pub(crate) fn named_or_file(law: &str) -> Result<WireData, Fault> {
     if let Some(found) = laws::find(law) {
         return Ok(found);
     }

@@ -6,22 +6,22 @@
 //! only an ensemble over alignments means something.
 
 use super::fidelity::Controls;
-use super::run::{Flow, Progress, check};
+use super::run::{Flow, RunProgress, check};
 use super::scene::{SceneSpec, Test};
 use crate::problem::Problem;
 
 /// Largest diameter of a dome that a net slips off, m.
-pub const SMALL_PUNCH: f64 = 0.4;
+pub(crate) const SMALL_PUNCH: f64 = 0.4;
 /// Offset of the second run, m.
-pub const OFFSET: [f64; 2] = [0.005, 0.003];
+pub(crate) const OFFSET: [f64; 2] = [0.005, 0.003];
 /// Difference of the forces at the first break that tells a bifurcation, over the larger.
-pub const DIFFERENCE: f64 = 0.05;
+pub(crate) const DIFFERENCE: f64 = 0.05;
 /// Distance from a symmetric position that counts as near, m.
 const NEAR: f64 = 0.01;
 
 /// Whether a scene must be looked at: a small dome near the panel's centre or (in a periodic cell)
 /// the middle of an edge.
-pub fn suspect(spec: &SceneSpec) -> bool {
+pub(crate) fn suspect(spec: &SceneSpec) -> bool {
     let (ex, ey) = spec.layout.folded();
     let symmetric = |e: f64| {
         let half = spec.layout.spacing / 2.0;
@@ -32,16 +32,16 @@ pub fn suspect(spec: &SceneSpec) -> bool {
 
 /// Forces at the first break (or the peak of a run that slipped), N, at the given place and beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Probe {
+pub(crate) struct Probe {
     /// At the place asked for.
-    pub here: f64,
+    pub(crate) here: f64,
     /// 5 mm and 3 mm beside it.
-    pub beside: f64,
+    pub(crate) beside: f64,
 }
 
 impl Probe {
     /// Whether the two differ by more than [`DIFFERENCE`].
-    pub fn bifurcation(&self) -> bool {
+    pub(crate) fn bifurcation(&self) -> bool {
         (self.here - self.beside).abs() > DIFFERENCE * self.here.max(self.beside)
     }
 }
@@ -50,10 +50,10 @@ impl Probe {
 ///
 /// # Errors
 /// What is wrong with the scene or the controls.
-pub fn probe(
+pub(crate) fn probe(
     spec: &SceneSpec,
     controls: &Controls,
-    progress: &mut dyn FnMut(Progress) -> Flow,
+    progress: &mut dyn FnMut(RunProgress) -> Flow,
 ) -> Result<Option<Probe>, Vec<Problem>> {
     let mut forces = [0.0; 2];
     for (k, force) in forces.iter_mut().enumerate() {

@@ -4,9 +4,9 @@
 //! 0.05 D tangent to the cap and vertical at r = D/2, where an upright cylinder goes on downwards.
 
 /// Radius of the cap's sphere over D (the published dome of the 1 m punch).
-pub const CAP: f64 = 1.2;
+pub(crate) const CAP: f64 = 1.2;
 /// Tube radius of the rim over D (an assumption: 50 mm for the 1 m punch).
-pub const RIM: f64 = 0.05;
+pub(crate) const RIM: f64 = 0.05;
 /// Normal contact stiffness of punch and node, N/m (Pol & Gabrieli 2021, section 2).
 pub const CONTACT_STIFFNESS: f64 = 6.5e5;
 
@@ -35,7 +35,7 @@ pub struct Dome {
 
 impl Dome {
     /// The dome of diameter `diameter` against nodes of radius `node` (both m).
-    pub fn new(diameter: f64, node: f64) -> Dome {
+    pub(crate) fn new(diameter: f64, node: f64) -> Dome {
         let (cap, rim) = (CAP * diameter, RIM * diameter);
         let ring = diameter / 2.0 - rim;
         // The rim touches the cap from inside: its centre circle lies on a sphere of radius cap - rim.
@@ -55,7 +55,7 @@ impl Dome {
 
     /// Height of the apex over the flat net's nodes at punch displacement `delta`, m: at 0 it
     /// touches the nodes' spheres.
-    pub fn apex(&self, delta: f64) -> f64 {
+    pub(crate) fn apex(&self, delta: f64) -> f64 {
         delta - self.node
     }
 

@@ -4,7 +4,7 @@
 /// Mixes `seed` and `counter` into 64 evenly spread bits.
 ///
 /// The finaliser of SplitMix64 (Steele, Lea & Flood 2014) over both words.
-pub fn hash(seed: u64, counter: u64) -> u64 {
+pub(crate) fn hash(seed: u64, counter: u64) -> u64 {
     mix(mix(seed ^ 0x9e37_79b9_7f4a_7c15).wrapping_add(counter.wrapping_mul(0xd1b5_4a32_d192_ed03)))
 }
 
@@ -21,7 +21,7 @@ pub fn uniform(seed: u64, counter: u64) -> f64 {
 }
 
 /// A number drawn from the triangular distribution on [0, 1] with mode 0.5 (by inversion).
-pub fn triangular(seed: u64, counter: u64) -> f64 {
+pub(crate) fn triangular(seed: u64, counter: u64) -> f64 {
     let p = uniform(seed, counter);
     if p < 0.5 { (p / 2.0).sqrt() } else { 1.0 - ((1.0 - p) / 2.0).sqrt() }
 }

@@ -32,7 +32,7 @@ pub struct StepFactors {
 /// Least `s` over the stiffness of the stiffest wire. Between alike wires `s` is twice a wire's
 /// stiffness and this changes nothing. With random slack a wire can be many times stiffer than its
 /// neighbours; then no direction is left over which its stiffness could be shared.
-pub const LONE_WIRE: f64 = 2.0;
+pub(crate) const LONE_WIRE: f64 = 2.0;
 
 /// Factor on the inertia against motion out of the net's plane.
 pub const OUT_OF_PLANE: f64 = 0.5;
@@ -50,7 +50,7 @@ pub struct PairInertia {
 /// The same as inertia, N/m, of the sum and the difference of the velocities; of the one free node
 /// alone where the other is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PairModes {
+pub(crate) struct PairModes {
     sum: f64,
     difference: f64,
     alone: [f64; 2],
@@ -58,7 +58,7 @@ pub struct PairModes {
 
 impl PairModes {
     /// The modes of a pair.
-    pub fn of(pair: &PairInertia) -> PairModes {
+    pub(crate) fn of(pair: &PairInertia) -> PairModes {
         match pair.own.map(|own| own > 0.0) {
             [true, true] => PairModes {
                 sum: 0.25 / (pair.own[0] + pair.cross),
@@ -72,7 +72,7 @@ impl PairModes {
     }
 
     /// Kinetic energy, J, at the velocities (m per step) of the bottom and the top node.
-    pub fn kinetic(&self, bottom: [f64; 3], top: [f64; 3]) -> f64 {
+    pub(crate) fn kinetic(&self, bottom: [f64; 3], top: [f64; 3]) -> f64 {
         let mut energy = 0.0;
         for axis in 0..3 {
             let factor = if axis == 2 { OUT_OF_PLANE } else { 1.0 };

@@ -31,7 +31,7 @@ pub enum Role {
 
 impl Role {
     /// The roles in the order in which a pair's bonds are numbered.
-    pub const ALL: [Role; 3] = [Role::Twist, Role::Left, Role::Right];
+    pub(crate) const ALL: [Role; 3] = [Role::Twist, Role::Left, Role::Right];
 }
 
 /// Number of a bond, the same in every solver: three for each pair, whether they exist or not.
@@ -173,7 +173,7 @@ impl Lattice {
     }
 
     /// Whether this bond exists (it does not where a panel ends).
-    pub fn has(&self, row: usize, column: usize, role: Role) -> bool {
+    pub(crate) fn has(&self, row: usize, column: usize, role: Role) -> bool {
         role == Role::Twist || self.upper(row, column, role).is_some()
     }
 
@@ -211,7 +211,7 @@ pub(super) mod tests {
     use super::*;
 
     /// The net of the reference mesh.
-    pub const NET: NetGeometry = NetGeometry {
+    pub(crate) const NET: NetGeometry = NetGeometry {
         opening: 0.08,
         twist: 0.04,
         projection: 0.04,

@@ -71,13 +71,13 @@ impl BondCurve {
     }
 
     /// Slope of the ramp of a bond whose ramp starts at strain `start`, N per unit of strain.
-    pub fn ramp(&self, start: f64) -> f64 {
+    pub(crate) fn ramp(&self, start: f64) -> f64 {
         self.force[0] / (self.strain[0] - start)
     }
 
     /// Slope of unloading of such a bond, N per unit of strain: the elastic one, or the ramp's where
     /// that is steeper (a first point put in above the elastic line).
-    pub fn unloading(&self, start: f64) -> f64 {
+    pub(crate) fn unloading(&self, start: f64) -> f64 {
         self.unloading.max(self.ramp(start))
     }
 
@@ -114,7 +114,7 @@ impl BondCurve {
 
     /// Work taken up so far per length l1, N: what the bond has absorbed on its way to (`top`, `e`),
     /// whatever the way was, because unloading and reloading give back what they take.
-    pub fn work(&self, ramp: &Ramp, top: f64, e: f64) -> f64 {
+    pub(crate) fn work(&self, ramp: &Ramp, top: f64, e: f64) -> f64 {
         let end = top.min(self.rupture());
         let mut work = 0.0;
         let (mut e0, mut f0) = (ramp.start, 0.0);

@@ -30,7 +30,7 @@
 //! to compare solvers. To move the net until it has a mirror is not exact: the plates then clamp other
 //! nodes, which is another net with another strength.
 
-pub mod bifurcation;
+pub(crate) mod bifurcation;
 pub mod dome;
 pub mod fast;
 pub mod fidelity;
@@ -38,14 +38,15 @@ pub mod hash;
 pub mod inertia;
 pub mod lattice;
 pub mod law;
-pub mod outcome;
+pub(crate) mod outcome;
 pub mod plain;
 pub mod run;
-pub mod scene;
+pub(crate) mod scene;
 pub mod stability;
 pub mod stepper;
 
 pub use fidelity::{Controls, Fidelity};
-pub use outcome::{Outcome, Stop};
-pub use run::{Flow, Progress, check};
+pub use outcome::{RunOutcome, Stop};
+pub(crate) use run::RunProgress;
+pub use run::{Flow, check};
 pub use scene::{PLAIN_PHASE, Scene, SceneSpec, Test};

@@ -78,7 +78,7 @@ pub struct Net {
 
 /// The outcome of a run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
+pub struct RunOutcome {
     /// Why it ended.
     pub stop: Stop,
     /// Force (weighted mean of punch and support, see [`super::run`]) and punch displacement at the
@@ -113,7 +113,7 @@ pub struct Outcome {
     pub net: Option<Net>,
 }
 
-impl Outcome {
+impl RunOutcome {
     /// Whether the first break came out of nowhere, as those of an unstable step do.
     pub fn sudden(&self) -> bool {
         let q = &self.quality;

@@ -6,7 +6,7 @@ use super::inertia::{self, PairInertia, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
 use super::law::{BondCurve, Ramp};
 use super::scene::Scene;
-use super::stepper::{Block, Energies, Stepper};
+use super::stepper::{Energies, StepBlock, Stepper};
 
 /// A bond of a plain net.
 #[derive(Debug, Clone, PartialEq)]
@@ -273,10 +273,10 @@ fn bond(scene: &Scene, number: usize) -> PlainBond {
 }
 
 impl Stepper for Plain {
-    fn advance(&mut self, steps: usize, travel: f64) -> Block {
-        let mut mean = Block {
+    fn advance(&mut self, steps: usize, travel: f64) -> StepBlock {
+        let mut mean = StepBlock {
             deflection: self.deflection + travel * (steps - 1) as f64 / 2.0,
-            ..Block::default()
+            ..StepBlock::default()
         };
         for _ in 0..steps {
             let (punch, support) = self.step(travel);

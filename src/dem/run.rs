@@ -25,9 +25,9 @@
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
 use super::lattice::{Role, bond_of};
-use super::outcome::{Break, Cost, Net, Outcome, Quality, Stop};
+use super::outcome::{Break, Cost, Net, Quality, RunOutcome, Stop};
 use super::scene::{Scene, SceneSpec, Test};
-use super::stepper::{Block, Stepper};
+use super::stepper::{StepBlock, Stepper};
 use crate::curve::{Curve, Point};
 use crate::problem::Problem;
 
@@ -38,7 +38,7 @@ const WATCHFUL: f64 = 0.4;
 /// Punch travel of a point of the curve, m.
 const WINDOW: f64 = 0.002;
 /// Part of the force on the punch in the reported force; the rest is the force on the support.
-pub const PUNCH_WEIGHT: f64 = 0.25;
+pub(crate) const PUNCH_WEIGHT: f64 = 0.25;
 /// Where the fit of the force at a break begins and ends, m before the break.
 const FIT: (f64, f64) = (0.022, 0.002);
 /// Punch travel without force after which the punch has slipped, m, and what counts as none.
@@ -51,11 +51,11 @@ const SAMPLE: usize = 64;
 /// Accounts of all energies: punch travel between two, m.
 const BALANCE: f64 = 0.1;
 /// Utilisation, at the last look before a first break, below which the break was sudden.
-pub const SUDDEN: f64 = 0.7;
+pub(crate) const SUDDEN: f64 = 0.7;
 /// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed at once: runs
 /// of the bench scenes stay below 3, unstable ones were at 12 and more. A net that snaps from one shape
 /// to another under a small punch reaches 60; such a run is repeated, and then stands.
-pub const SHAKING: f64 = 8.0;
+pub(crate) const SHAKING: f64 = 8.0;
 /// Error over the largest difference of the forces on punch and support, anchored and laboratory: the
 /// nine tenths point of runs of random scenes with punches from 0.45 m, rounded up.
 const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
@@ -70,7 +70,7 @@ const LIMIT: f64 = 0.6;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Progress {
+pub struct RunProgress {
     /// Punch displacement, m.
     pub deflection: f64,
     /// Force, N.
@@ -103,8 +103,8 @@ pub enum Flow {
 pub fn check(
     spec: &SceneSpec,
     controls: &Controls,
-    progress: &mut dyn FnMut(Progress) -> Flow,
-) -> Result<Outcome, Vec<Problem>> {
+    progress: &mut dyn FnMut(RunProgress) -> Flow,
+) -> Result<RunOutcome, Vec<Problem>> {
     let scene = Scene::new(spec)?;
     let scheme = controls.scheme(&scene)?;
     let options = FastOptions {
@@ -146,8 +146,8 @@ fn run_scheme(
     options: FastOptions,
     scheme: &Scheme,
     controls: &Controls,
-    progress: &mut dyn FnMut(Progress) -> Flow,
-) -> Outcome {
+    progress: &mut dyn FnMut(RunProgress) -> Flow,
+) -> RunOutcome {
     if scheme.full {
         drive(scene, &mut Fast::<f64>::new(scene, options), scheme, controls, progress)
     } else {
@@ -161,8 +161,8 @@ pub fn drive(
     solver: &mut dyn Stepper,
     scheme: &Scheme,
     controls: &Controls,
-    progress: &mut dyn FnMut(Progress) -> Flow,
-) -> Outcome {
+    progress: &mut dyn FnMut(RunProgress) -> Flow,
+) -> RunOutcome {
     Run::new(scene, scheme, controls).run(solver, progress)
 }
 
@@ -172,7 +172,7 @@ struct Run<'a> {
     scheme: &'a Scheme,
     controls: &'a Controls,
     limit: f64,
-    points: Vec<Block>,
+    points: Vec<StepBlock>,
     known: Vec<usize>,
     breaks: Vec<Break>,
     first_break: Option<Point>,
@@ -222,8 +222,8 @@ impl<'a> Run<'a> {
     fn run(
         mut self,
         solver: &mut dyn Stepper,
-        progress: &mut dyn FnMut(Progress) -> Flow,
-    ) -> Outcome {
+        progress: &mut dyn FnMut(RunProgress) -> Flow,
+    ) -> RunOutcome {
         let (mut utilisation, mut looked) = (0.0, 0.0);
         let stop = loop {
             let travelled = solver.deflection() - looked;
@@ -241,7 +241,7 @@ impl<'a> Run<'a> {
             if let Some(stop) = self.ended(solver.deflection()) {
                 break stop;
             }
-            let now = Progress {
+            let now = RunProgress {
                 deflection: solver.deflection(),
                 force: self.points.last().map_or(0.0, weighted),
                 utilisation,
@@ -259,7 +259,7 @@ impl<'a> Run<'a> {
     /// One window; tells if the run must end in it.
     fn window(&mut self, solver: &mut dyn Stepper, travel: f64, utilisation: f64) -> Option<Stop> {
         let blocks = ((WINDOW / travel / BLOCK as f64).round() as usize).max(1);
-        let mut mean = Block::default();
+        let mut mean = StepBlock::default();
         let mut broke = false;
         // Far from a break it is enough to look once a window.
         let watchful = self.first_break.is_some() || utilisation > WATCHFUL;
@@ -284,7 +284,7 @@ impl<'a> Run<'a> {
                         number,
                         role: bond_of(number).1,
                         deflection: solver.deflection(),
-                        place: self.scene.from_centre(self.scene.lattice.middle(number)),
+                        place: self.scene.seen_from_centre(self.scene.lattice.middle(number)),
                     });
                 }
                 if self.first_break.is_none() {
@@ -390,8 +390,8 @@ impl<'a> Run<'a> {
 
     /// Force at a break, by the line through the points before it.
     fn force_at(&self, at: f64) -> f64 {
-        let inside = |p: &&Block| at - p.deflection < FIT.0 && at - p.deflection > FIT.1;
-        let points: Vec<&Block> = self.points.iter().filter(inside).collect();
+        let inside = |p: &&StepBlock| at - p.deflection < FIT.0 && at - p.deflection > FIT.1;
+        let points: Vec<&StepBlock> = self.points.iter().filter(inside).collect();
         if points.len() < 3 {
             return self.points.last().map_or(0.0, weighted);
         }
@@ -458,7 +458,7 @@ impl<'a> Run<'a> {
         Net { nodes: solver.positions(), bonds, deflection: solver.deflection() }
     }
 
-    fn finish(mut self, mut stop: Stop, solver: &dyn Stepper) -> Outcome {
+    fn finish(mut self, mut stop: Stop, solver: &dyn Stepper) -> RunOutcome {
         if self.first_break.is_none() {
             self.steps_to_break = self.steps;
             self.sample(solver);
@@ -474,7 +474,7 @@ impl<'a> Run<'a> {
         }
         let peak = self.peak();
         let end = self.first_break.map_or(f64::INFINITY, |p| p.deflection);
-        let before: Vec<&Block> =
+        let before: Vec<&StepBlock> =
             self.points.iter().filter(|p| p.deflection < end - FIT.1).collect();
         let reached = before.last().map_or(0.0, |p| p.deflection);
         let most = before.iter().map(|p| weighted(p)).fold(1.0e-9, f64::max);
@@ -491,7 +491,7 @@ impl<'a> Run<'a> {
             force: self.points.iter().map(weighted).collect(),
             failure: self.first_break,
         };
-        Outcome {
+        RunOutcome {
             stop,
             first_break: self.first_break,
             k75: stiffness_at_75(&before, self.first_break.unwrap_or(peak).force),
@@ -517,12 +517,12 @@ impl<'a> Run<'a> {
 }
 
 /// The reported force of a point.
-fn weighted(p: &Block) -> f64 {
+fn weighted(p: &StepBlock) -> f64 {
     PUNCH_WEIGHT * p.punch + (1.0 - PUNCH_WEIGHT) * p.support
 }
 
 /// Least-squares line through points: slope, mean displacement, mean force.
-fn line(points: &[&Block]) -> (f64, f64, f64) {
+fn line(points: &[&StepBlock]) -> (f64, f64, f64) {
     let n = points.len() as f64;
     let x = points.iter().map(|p| p.deflection).sum::<f64>() / n;
     let y = points.iter().map(|p| weighted(p)).sum::<f64>() / n;
@@ -536,9 +536,9 @@ fn line(points: &[&Block]) -> (f64, f64, f64) {
 
 /// Tangent where the force is 75 % of `force`, fitted over +-5 % of it, N/m; 0 where there are fewer
 /// than three points.
-fn stiffness_at_75(points: &[&Block], force: f64) -> f64 {
-    let inside = |p: &&&Block| (0.70..=0.80).contains(&(weighted(p) / force));
-    let chosen: Vec<&Block> = points.iter().filter(inside).copied().collect();
+fn stiffness_at_75(points: &[&StepBlock], force: f64) -> f64 {
+    let inside = |p: &&&StepBlock| (0.70..=0.80).contains(&(weighted(p) / force));
+    let chosen: Vec<&StepBlock> = points.iter().filter(inside).copied().collect();
     if chosen.len() < 3 { 0.0 } else { line(&chosen).0 }
 }
 

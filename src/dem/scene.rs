@@ -24,7 +24,7 @@ pub enum Test {
 pub const PLAIN_PHASE: [f64; 2] = [0.25, 0.125];
 
 /// Largest panel that is simulated, m.
-pub const LARGEST_PANEL: f64 = 30.0;
+pub(crate) const LARGEST_PANEL: f64 = 30.0;
 
 /// All that says what a scene is.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,7 +124,7 @@ impl Scene {
     }
 
     /// Whether every bond of a kind has the same slack.
-    pub fn uniform(&self) -> bool {
+    pub(crate) fn uniform(&self) -> bool {
         let d = &self.law.distortion;
         d.lambda_u == 0.0 || matches!(d.slack, Slack::Fixed(_))
     }
@@ -142,7 +142,7 @@ impl Scene {
     }
 
     /// The same place measured from the panel's centre, m.
-    pub fn from_centre(&self, place: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn seen_from_centre(&self, place: [f64; 2]) -> [f64; 2] {
         [place[0] - self.lattice.size[0] / 2.0, place[1] - self.lattice.size[1] / 2.0]
     }
 

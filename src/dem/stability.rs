@@ -72,7 +72,7 @@ impl Eigenvalues {
     }
 
     /// Of a net with this inertia and these stiffnesses of bonds, N/m.
-    pub fn of(
+    pub(crate) fn of(
         lattice: &Lattice,
         inertia: &[PairInertia],
         stiffness: &dyn Fn(usize) -> f64,
@@ -98,7 +98,7 @@ impl Eigenvalues {
 
 /// The flat net's stiffness and inertia, in the plane, as planes of numbers with a ghost column on
 /// either side of a row and a ghost row behind the last. Single precision is plenty.
-pub struct Flat {
+pub(crate) struct Flat {
     rows: usize,
     columns: usize,
     width: usize,
@@ -118,7 +118,7 @@ const SIDE: usize = 8;
 
 impl Flat {
     /// The net of these pairs and bonds.
-    pub fn new(
+    pub(crate) fn new(
         lattice: &Lattice,
         inertia: &[PairInertia],
         stiffness: &dyn Fn(usize) -> f64,
@@ -161,7 +161,7 @@ impl Flat {
     }
 
     /// Largest eigenvalue after this many Lanczos steps from a start that is always the same.
-    pub fn largest(&self, steps: usize) -> f64 {
+    pub(crate) fn largest(&self, steps: usize) -> f64 {
         let size = self.root[0].len();
         let zero = || -> Vector { std::array::from_fn(|_| vec![0.0; size]) };
         let (mut before, mut now, mut next, mut work) = (zero(), zero(), zero(), zero());

@@ -2,7 +2,7 @@
 
 /// Means over a block of steps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Block {
+pub struct StepBlock {
     /// Mean punch displacement at which the forces were taken, m.
     pub deflection: f64,
     /// Mean force on the punch, N.
@@ -25,7 +25,7 @@ pub struct Energies {
 /// A solver that can be driven: it owns the net's state and moves the punch as told.
 pub trait Stepper {
     /// Takes `steps` steps with the punch moving `travel` metres in each.
-    fn advance(&mut self, steps: usize, travel: f64) -> Block;
+    fn advance(&mut self, steps: usize, travel: f64) -> StepBlock;
     /// Punch displacement now, m.
     fn deflection(&self) -> f64;
     /// Numbers of the bonds that have broken and were not in `known` yet are added to it, rising.

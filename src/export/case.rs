@@ -31,7 +31,7 @@ impl Case {
     ///
     /// # Errors
     /// What makes no sense, by its place in the layout of that name.
-    pub fn of(project: &Project, entry: &NamedLayout) -> Result<Case, Vec<Problem>> {
+    pub(crate) fn of(project: &Project, entry: &NamedLayout) -> Result<Case, Vec<Problem>> {
         let placed = |found: Vec<Problem>| -> Vec<Problem> {
             let place = format!("layout {:?}", entry.name);
             found.into_iter().map(|p| p.under(&place)).collect()

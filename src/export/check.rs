@@ -4,9 +4,9 @@ use super::Case;
 use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
-use crate::study::verdict::make::fingerprint;
-use crate::study::verdict::places::Places;
-use crate::study::verdict::{VERSION, Verdict};
+use crate::study::result::make::fingerprint;
+use crate::study::result::places::Places;
+use crate::study::result::{CheckResult, VERSION};
 use crate::units::LengthUnit;
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
@@ -41,7 +41,7 @@ pub struct Check {
 impl Check {
     /// The check that the project keeps of a case's layout, if it keeps one. Lengths in the notes are
     /// shown in `unit`; `file_name` is the project's, for the command that makes it again.
-    pub fn of(case: &Case, unit: LengthUnit, file_name: &str) -> Option<Check> {
+    pub(crate) fn of(case: &Case, unit: LengthUnit, file_name: &str) -> Option<Check> {
         let v = case.entry.check.as_deref()?;
         let stale = !current(case, v);
         let runs = if v.runs == 1 { "1 run".to_string() } else { format!("{} runs", v.runs) };
@@ -61,7 +61,7 @@ impl Check {
     }
 
     /// The label, with a mark where the inputs have changed since.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         if self.stale {
             format!("{} (stale: inputs have changed since)", self.label)
         } else {
@@ -70,16 +70,14 @@ impl Check {
     }
 }
 
-/// Whether a verdict still is what this program would find for a case.
-pub fn current(case: &Case, verdict: &Verdict) -> bool {
+/// Whether a result still is what this program would find for a case.
+pub(crate) fn current(case: &Case, result: &CheckResult) -> bool {
     let wire = case.mesh.wire.as_ref();
-    wire.is_some_and(|wire| {
-        verdict.current(fingerprint(&case.entry.layout(), wire, &verdict.wanted))
-    })
+    wire.is_some_and(|wire| result.current(fingerprint(&case.entry.layout(), wire, &result.wanted)))
 }
 
-/// What is to be known of a verdict, a sentence each.
-fn notes(case: &Case, v: &Verdict, unit: LengthUnit, file: &str, stale: bool) -> Vec<String> {
+/// What is to be known of a result, a sentence each.
+fn notes(case: &Case, v: &CheckResult, unit: LengthUnit, file: &str, stale: bool) -> Vec<String> {
     let m = |value: f64| length_text(value, unit);
     let kn = |value: f64| significant(to_kn(value), 3);
     let mut notes = Vec::new();

@@ -6,20 +6,20 @@ use crate::mesh::catalogue;
 use crate::units::{from_kn, shortest, to_kn};
 
 /// The command that forecasts a layout from its project file.
-pub fn from_file(file_name: &str, case: &Case) -> String {
+pub(crate) fn from_file(file_name: &str, case: &Case) -> String {
     // In one word, so that no name is taken for another flag.
     let layout = format!("--layout={}", case.entry.name);
     format!("meshcast forecast {} {}", file_word(file_name), quoted(&layout))
 }
 
 /// The name of a file as a shell takes it; one that begins like a flag is not taken for one.
-pub fn file_word(file_name: &str) -> String {
+pub(crate) fn file_word(file_name: &str) -> String {
     if file_name.starts_with('-') { quoted(&format!("./{file_name}")) } else { quoted(file_name) }
 }
 
 /// The command that forecasts a layout from its numbers alone; only where the mesh is the
 /// catalogue's, because the command line can name no other.
-pub fn from_numbers(case: &Case) -> Option<String> {
+pub(crate) fn from_numbers(case: &Case) -> Option<String> {
     if catalogue::find(&case.mesh.id).is_none_or(|mesh| *mesh != *case.mesh) {
         return None;
     }
@@ -65,7 +65,7 @@ fn force_word(newton: f64) -> String {
 }
 
 /// A word for a shell: in quotes where it needs them.
-pub fn quoted(word: &str) -> String {
+pub(crate) fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '-' | '_' | '+' | '=');
     if !word.is_empty() && word.chars().all(plain) {
         word.to_string()

@@ -6,12 +6,15 @@ use super::check::current;
 use crate::VERSION;
 use crate::curve::Curve;
 use crate::forecast::CURVE_POINTS;
-use crate::study::verdict::Verdict;
+use crate::study::result::CheckResult;
 use crate::units::{to_kj, to_kn, without_noise};
 use csv::{Terminator, WriterBuilder};
 
 /// Curves one below the other. Where `named`, the name of its layout stands before every point.
-pub fn curves<'a>(curves: impl IntoIterator<Item = (&'a str, Curve)>, named: bool) -> String {
+pub(crate) fn curves<'a>(
+    curves: impl IntoIterator<Item = (&'a str, Curve)>,
+    named: bool,
+) -> String {
     let mut table = Table::new();
     table.row(if named { &["layout", "delta_m", "F_kN"][..] } else { &["delta_m", "F_kN"] });
     for (name, curve) in curves {
@@ -102,7 +105,7 @@ const COLUMNS: &[Column] = &[
 ];
 
 /// The kept check, if a wire broke in it.
-fn broke(case: &Case) -> Option<&Verdict> {
+fn broke(case: &Case) -> Option<&CheckResult> {
     case.entry.check.as_deref().filter(|v| v.broke())
 }
 

@@ -2,7 +2,7 @@
 
 /// Text that is safe between tags and inside double quotes, in XML and in HTML. What XML cannot hold
 /// at all (control characters) is shown as the replacement character.
-pub fn xml(text: &str) -> String {
+pub(crate) fn xml(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -21,7 +21,7 @@ pub fn xml(text: &str) -> String {
 ///
 /// `start` says that a block begins here, where a dash or a number would begin a list. The text must
 /// be a single line.
-pub fn markdown(text: &str, start: bool) -> String {
+pub(crate) fn markdown(text: &str, start: bool) -> String {
     let mut out = String::with_capacity(text.len());
     // Digits at the start of a block; a stop or a bracket after them begins a numbered list.
     let mut at_start = start;

@@ -1,14 +1,14 @@
 //! What the program writes at a key press, and what its file is called.
 
 use super::svg::{Series, chart, plan};
-use super::{Case, Check, Report, Source, cases, csv};
+use super::{Case, Check, Report, ReportSource, cases, csv};
 use crate::problem::Problem;
 use crate::project::Project;
 use crate::units::LengthUnit;
 
 /// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum ExportKind {
     /// The whole project as one HTML page.
     ReportHtml,
     /// The same as Markdown.
@@ -25,73 +25,73 @@ pub enum Kind {
     Table,
 }
 
-impl Kind {
+impl ExportKind {
     /// All of them, in the order of the list.
-    pub const ALL: [Kind; 7] = [
-        Kind::ReportHtml,
-        Kind::ReportMarkdown,
-        Kind::Chart,
-        Kind::ChartAll,
-        Kind::Plan,
-        Kind::Curves,
-        Kind::Table,
+    pub(crate) const ALL: [ExportKind; 7] = [
+        ExportKind::ReportHtml,
+        ExportKind::ReportMarkdown,
+        ExportKind::Chart,
+        ExportKind::ChartAll,
+        ExportKind::Plan,
+        ExportKind::Curves,
+        ExportKind::Table,
     ];
 
     /// What it is, for people.
-    pub fn about(self) -> &'static str {
+    pub(crate) fn about(self) -> &'static str {
         match self {
-            Kind::ReportHtml => "report of the project, one HTML page",
-            Kind::ReportMarkdown => "report of the project, Markdown",
-            Kind::Chart => "chart of this layout, SVG",
-            Kind::ChartAll => "chart of all layouts, SVG",
-            Kind::Plan => "plan of this layout, SVG",
-            Kind::Curves => "points of all curves, CSV",
-            Kind::Table => "inputs and results of all layouts, CSV",
+            ExportKind::ReportHtml => "report of the project, one HTML page",
+            ExportKind::ReportMarkdown => "report of the project, Markdown",
+            ExportKind::Chart => "chart of this layout, SVG",
+            ExportKind::ChartAll => "chart of all layouts, SVG",
+            ExportKind::Plan => "plan of this layout, SVG",
+            ExportKind::Curves => "points of all curves, CSV",
+            ExportKind::Table => "inputs and results of all layouts, CSV",
         }
     }
 
     /// The word for the command line of the program.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
-            Kind::ReportHtml => "report",
-            Kind::ReportMarkdown => "markdown",
-            Kind::Chart => "chart",
-            Kind::ChartAll => "charts",
-            Kind::Plan => "plan",
-            Kind::Curves => "curves",
-            Kind::Table => "table",
+            ExportKind::ReportHtml => "report",
+            ExportKind::ReportMarkdown => "markdown",
+            ExportKind::Chart => "chart",
+            ExportKind::ChartAll => "charts",
+            ExportKind::Plan => "plan",
+            ExportKind::Curves => "curves",
+            ExportKind::Table => "table",
         }
     }
 
     /// The kind of a word.
-    pub fn named(word: &str) -> Option<Kind> {
-        Kind::ALL.into_iter().find(|kind| kind.word() == word)
+    pub(crate) fn named(word: &str) -> Option<ExportKind> {
+        ExportKind::ALL.into_iter().find(|kind| kind.word() == word)
     }
 
     /// Whether it is of one layout.
-    pub fn of_one(self) -> bool {
-        matches!(self, Kind::Chart | Kind::Plan)
+    pub(crate) fn of_one(self) -> bool {
+        matches!(self, ExportKind::Chart | ExportKind::Plan)
     }
 
     /// The file's ending.
-    pub fn ending(self) -> &'static str {
+    pub(crate) fn ending(self) -> &'static str {
         match self {
-            Kind::ReportHtml => "html",
-            Kind::ReportMarkdown => "md",
-            Kind::Chart | Kind::ChartAll | Kind::Plan => "svg",
-            Kind::Curves | Kind::Table => "csv",
+            ExportKind::ReportHtml => "html",
+            ExportKind::ReportMarkdown => "md",
+            ExportKind::Chart | ExportKind::ChartAll | ExportKind::Plan => "svg",
+            ExportKind::Curves | ExportKind::Table => "csv",
         }
     }
 
     /// Name of a file for it beside a project's: `road-cut-portal-chart.svg`. `nth` above 1 makes
     /// another one where that is taken.
-    pub fn file_name(self, stem: &str, layout: &str, nth: usize) -> String {
+    pub(crate) fn file_name(self, stem: &str, layout: &str, nth: usize) -> String {
         let mut parts = vec![plain(stem)];
         if self.of_one() {
             parts.push(plain(layout));
         }
         parts.push(match self {
-            Kind::ReportMarkdown => "report".into(),
+            ExportKind::ReportMarkdown => "report".into(),
             other => other.word().to_string(),
         });
         if nth > 1 {
@@ -109,7 +109,7 @@ impl Kind {
         self,
         project: &Project,
         layout: usize,
-        source: Source<'_>,
+        source: ReportSource<'_>,
         unit: LengthUnit,
     ) -> Result<String, Vec<Problem>> {
         let all = match (self.of_one(), project.layouts.get(layout)) {
@@ -126,18 +126,18 @@ impl Kind {
         };
         let title = |name: &str| format!("{name}: force over deflection");
         Ok(match self {
-            Kind::ReportHtml | Kind::ReportMarkdown => {
+            ExportKind::ReportHtml | ExportKind::ReportMarkdown => {
                 let report = Report { project, cases: &all, checks: &checks, source, unit };
-                if self == Kind::ReportHtml { report.html() } else { report.markdown() }
+                if self == ExportKind::ReportHtml { report.html() } else { report.markdown() }
             }
-            Kind::Chart => {
+            ExportKind::Chart => {
                 let name = all.first().map_or("", |case| case.entry.name.as_str());
                 chart(&series(), &title(&format!("{}, {name}", project.name)), unit)
             }
-            Kind::ChartAll => chart(&series(), &title(&project.name), unit),
-            Kind::Plan => all.first().map_or(String::new(), |case| plan(case, unit)),
-            Kind::Curves => csv::case_curves(&all),
-            Kind::Table => csv::table(&all),
+            ExportKind::ChartAll => chart(&series(), &title(&project.name), unit),
+            ExportKind::Plan => all.first().map_or(String::new(), |case| plan(case, unit)),
+            ExportKind::Curves => csv::case_curves(&all),
+            ExportKind::Table => csv::table(&all),
         })
     }
 }
@@ -159,20 +159,20 @@ mod tests {
 
     #[test]
     fn names_say_what_is_in_the_file_and_are_safe() {
-        let name = |kind: Kind, nth| kind.file_name("road-cut", "Portal / east ..", nth);
-        assert_eq!(name(Kind::ReportHtml, 1), "road-cut-report.html");
-        assert_eq!(name(Kind::Chart, 2), "road-cut-Portal-east-chart-2.svg");
-        assert_eq!(Kind::Table.file_name("../..", "", 1), "table.csv");
-        for kind in Kind::ALL {
-            assert_eq!(Kind::named(kind.word()), Some(kind));
+        let name = |kind: ExportKind, nth| kind.file_name("road-cut", "Portal / east ..", nth);
+        assert_eq!(name(ExportKind::ReportHtml, 1), "road-cut-report.html");
+        assert_eq!(name(ExportKind::Chart, 2), "road-cut-Portal-east-chart-2.svg");
+        assert_eq!(ExportKind::Table.file_name("../..", "", 1), "table.csv");
+        for kind in ExportKind::ALL {
+            assert_eq!(ExportKind::named(kind.word()), Some(kind));
         }
     }
 
     #[test]
     fn every_kind_has_a_text() {
         let project = Project::starter("Slope");
-        let source = Source { file_name: "slope.ron", text: None, edited: false };
-        for kind in Kind::ALL {
+        let source = ReportSource { file_name: "slope.ron", text: None, edited: false };
+        for kind in ExportKind::ALL {
             let text = kind.text(&project, 0, source, LengthUnit::Metre).unwrap();
             let start = match kind.ending() {
                 "html" => "<!DOCTYPE",

@@ -8,16 +8,16 @@
 //! - [`kind`]: what the program writes at a key press, and under which name.
 //! - [`command`]: the command lines that give the same numbers; [`escape`]: safe text for all these.
 
-pub mod case;
-pub mod check;
-pub mod command;
+pub(crate) mod case;
+pub(crate) mod check;
+pub(crate) mod command;
 pub mod csv;
-pub mod escape;
-pub mod kind;
-pub mod report;
+pub(crate) mod escape;
+pub(crate) mod kind;
+pub(crate) mod report;
 pub mod svg;
 
 pub use case::{Case, cases};
 pub use check::{Band, Check};
-pub use kind::Kind;
-pub use report::{Report, Source};
+pub use kind::ExportKind;
+pub use report::{Report, ReportSource};

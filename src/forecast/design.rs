@@ -55,17 +55,17 @@ pub struct AtForce {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtDeflection {
     /// Force mobilised at the allowable deflection, N, F_a beyond failure.
-    pub force: f64,
+    pub(crate) force: f64,
     /// The same over gamma_resistance, N.
-    pub design_force: f64,
+    pub(crate) design_force: f64,
     /// Energy absorbed up to there, J.
-    pub energy: f64,
+    pub(crate) energy: f64,
     /// Whether the panel fails before the allowable deflection is reached.
-    pub beyond_failure: bool,
+    pub(crate) beyond_failure: bool,
 }
 
 /// Answers a design question for a panel.
-pub fn answer(field: &Field, question: &Question) -> Answer {
+pub(crate) fn answer(field: &Field, question: &Question) -> Answer {
     let resistance = field.values.force / question.gamma_resistance;
     let at_force = question.force.map(|force| {
         let load = question.gamma_load * force;

@@ -37,7 +37,7 @@ pub struct Eccentricity {
 
 impl Eccentricity {
     /// A centred punch.
-    pub const CENTRED: Eccentricity = Eccentricity {
+    pub(crate) const CENTRED: Eccentricity = Eccentricity {
         force: 1.0,
         deflection: 1.0,
         force_sd: 0.0,
@@ -83,7 +83,7 @@ struct FixedPoint {
 
 /// The map, ready to be asked.
 #[derive(Debug)]
-pub struct Map {
+pub(crate) struct Map {
     sources: Vec<String>,
     columns: Vec<f64>,
     rows: Vec<f64>,
@@ -106,7 +106,7 @@ struct Surface {
 }
 
 /// The map shipped with the program.
-pub fn published() -> &'static Map {
+pub(crate) fn published() -> &'static Map {
     static MAP: OnceLock<Map> = OnceLock::new();
     // The text is part of the program and a test builds the map, so a broken one is never shipped.
     MAP.get_or_init(|| {
@@ -119,7 +119,7 @@ impl Map {
     ///
     /// # Errors
     /// A sentence that says what is wrong with the text.
-    pub fn from_ron(text: &str) -> Result<Map, String> {
+    pub(crate) fn from_ron(text: &str) -> Result<Map, String> {
         let options = ron::Options::default()
             .with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
         let file: MapFile = options.from_str(text).map_err(|e| e.to_string())?;
@@ -168,17 +168,17 @@ impl Map {
     }
 
     /// Where the map's values come from.
-    pub fn sources(&self) -> &[String] {
+    pub(crate) fn sources(&self) -> &[String] {
         &self.sources
     }
 
     /// The factors of a layout. Offsets are periodic with L and even; a centred punch has exactly 1.
-    pub fn at(&self, layout: &Layout) -> Eccentricity {
+    pub(crate) fn at(&self, layout: &Layout) -> Eccentricity {
         self.at_ratio(layout.ex / layout.spacing, layout.ey / layout.spacing)
     }
 
     /// The factors at offsets ex/L, ey/L.
-    pub fn at_ratio(&self, ex: f64, ey: f64) -> Eccentricity {
+    pub(crate) fn at_ratio(&self, ex: f64, ey: f64) -> Eccentricity {
         let (x, y) = (fold(ex), fold(ey));
         if x == 0.0 && y == 0.0 {
             return Eccentricity::CENTRED;

@@ -5,16 +5,16 @@ use super::Values;
 use crate::layout::{BranchRule, Layout};
 
 /// D*, m: punch diameter of the field reference.
-pub const PUNCH_REFERENCE: f64 = 1.0;
+pub(crate) const PUNCH_REFERENCE: f64 = 1.0;
 /// d*, m: plate side of the field reference.
-pub const PLATE_REFERENCE: f64 = 0.32;
+pub(crate) const PLATE_REFERENCE: f64 = 0.32;
 /// L*, m: spacing of the field reference.
-pub const SPACING_REFERENCE: f64 = 3.0;
+pub(crate) const SPACING_REFERENCE: f64 = 3.0;
 
 /// Punch diameter at which the two branches of Eq. A.1 cross, for every plate, m: 0.94/2.41 = 0.390.
-pub const BRANCH_CROSSING: f64 = 0.94 / (2.47 - 0.06);
+pub(crate) const BRANCH_CROSSING: f64 = 0.94 / (2.47 - 0.06);
 /// Part of d within which D is near the branch change.
-pub const BRANCH_NEARNESS: f64 = 0.25;
+pub(crate) const BRANCH_NEARNESS: f64 = 0.25;
 
 /// A branch of Eqs. A.1-A.2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +33,7 @@ impl Branch {
 
     /// The branch a rule takes. The conservative one has the lower F; the branches differ in F by the
     /// factor of D alone, so it is the small-punch branch below the crossing.
-    pub fn by_rule(layout: &Layout, rule: BranchRule) -> Branch {
+    pub(crate) fn by_rule(layout: &Layout, rule: BranchRule) -> Branch {
         match rule {
             BranchRule::Published => Branch::published(layout),
             BranchRule::Conservative => {
@@ -48,7 +48,7 @@ impl Branch {
     }
 
     /// The other branch.
-    pub fn other(self) -> Branch {
+    pub(crate) fn other(self) -> Branch {
         match self {
             Branch::SmallPunch => Branch::LargePunch,
             Branch::LargePunch => Branch::SmallPunch,
@@ -56,7 +56,7 @@ impl Branch {
     }
 
     /// The word in output: `small_punch` or `large_punch`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Branch::SmallPunch => "small_punch",
             Branch::LargePunch => "large_punch",
@@ -66,7 +66,7 @@ impl Branch {
 
 /// Whether the layout is near the change of branch, where F jumps: D between d and the crossing at
 /// 0.39 m, or within 25 % of d.
-pub fn near_branch_change(layout: &Layout) -> bool {
+pub(crate) fn near_branch_change(layout: &Layout) -> bool {
     let (d, punch) = (layout.plate, layout.punch);
     let between = punch >= d.min(BRANCH_CROSSING) && punch <= d.max(BRANCH_CROSSING);
     // The ends of the band belong to it, to a nanometre: 0.40 - 0.32 is not quite 0.08.
@@ -92,14 +92,14 @@ fn punch_factor_deflection(punch: f64, branch: Branch) -> f64 {
 }
 
 /// Eq. A.1 over F_a*: the force at failure of a centred punch as a part of the reference force.
-pub fn force_ratio(layout: &Layout, branch: Branch) -> f64 {
+pub(crate) fn force_ratio(layout: &Layout, branch: Branch) -> f64 {
     punch_factor_force(layout.punch, branch)
         * (0.48 * layout.plate / PLATE_REFERENCE + 0.45)
         * (0.16 * layout.spacing / SPACING_REFERENCE + 0.84)
 }
 
 /// Eq. A.2 over delta_a*: the deflection at failure of a centred punch as a part of the reference one.
-pub fn deflection_ratio(layout: &Layout, branch: Branch) -> f64 {
+pub(crate) fn deflection_ratio(layout: &Layout, branch: Branch) -> f64 {
     0.98 * layout.spacing / SPACING_REFERENCE
         * punch_factor_deflection(layout.punch, branch)
         * (0.02 * layout.plate / PLATE_REFERENCE + 0.98)

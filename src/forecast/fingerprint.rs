@@ -9,7 +9,7 @@ use crate::mesh::MeshType;
 /// and of the mesh what the closed form uses. What a mesh is called or where its values come from
 /// decides nothing but its identifier, which stands in the result. The map and the equations are
 /// the program's own; its version stands for them.
-pub fn of_inputs(
+pub(crate) fn of_inputs(
     layout: &Layout,
     mesh: &MeshType,
     rule: BranchRule,

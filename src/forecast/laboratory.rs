@@ -5,17 +5,17 @@ use super::Values;
 use crate::mesh::{LabRecord, STANDARD_PANEL, STANDARD_PUNCH};
 
 /// Range of panel sides on which Eqs. 1-2 were fitted, m.
-pub const PANEL_RANGE: (f64, f64) = (2.0, 4.5);
+pub(crate) const PANEL_RANGE: (f64, f64) = (2.0, 4.5);
 
 /// Eq. 1: largest force of a panel of side `panel` (m) over that of the standard panel,
 /// 0.89 + 0.11 L/L^l.
-pub fn force_ratio(panel: f64) -> f64 {
+pub(crate) fn force_ratio(panel: f64) -> f64 {
     0.89 + 0.11 * panel / STANDARD_PANEL
 }
 
 /// Eq. 2: deflection at failure of a panel of side `panel` (m) over that of the standard panel,
 /// 0.15 + 0.85 L/L^l.
-pub fn deflection_ratio(panel: f64) -> f64 {
+pub(crate) fn deflection_ratio(panel: f64) -> f64 {
     0.15 + 0.85 * panel / STANDARD_PANEL
 }
 
@@ -39,7 +39,7 @@ pub fn from_panel(measured: Values, panel: f64) -> Values {
 /// standard 1.0 m, for which the paper gives no relation.
 ///
 /// A record of the standard panel is returned untouched, to the last bit.
-pub fn standard_values(record: &LabRecord) -> Option<Values> {
+pub(crate) fn standard_values(record: &LabRecord) -> Option<Values> {
     let measured = Values { force: record.force, deflection: record.deflection };
     if record.punch != STANDARD_PUNCH {
         None

@@ -12,14 +12,14 @@
 //! The room reads no file and no clock; the same inputs give the same bits.
 
 pub mod design;
-pub mod eccentricity;
+pub(crate) mod eccentricity;
 pub mod field;
-pub mod fingerprint;
+pub(crate) mod fingerprint;
 pub mod laboratory;
 pub mod master;
 pub mod published;
-pub mod ratios;
-pub mod warning;
+pub(crate) mod ratios;
+pub(crate) mod warning;
 
 use crate::curve::{Curve, Point};
 use crate::layout::{self, BranchRule, Layout};
@@ -78,17 +78,17 @@ pub struct Field {
 
 impl Forecast {
     /// F_a over F_l*, if there is a field value.
-    pub fn force_over_lab(&self) -> Option<f64> {
+    pub(crate) fn force_over_lab(&self) -> Option<f64> {
         self.field.map(|f| f.values.force / self.laboratory.force)
     }
 
     /// delta_a over delta_l*, if there is a field value.
-    pub fn deflection_over_lab(&self) -> Option<f64> {
+    pub(crate) fn deflection_over_lab(&self) -> Option<f64> {
         self.field.map(|f| f.values.deflection / self.laboratory.deflection)
     }
 
     /// Whether any size is outside its published range, so that the numbers are extrapolated.
-    pub fn extrapolated(&self) -> bool {
+    pub(crate) fn extrapolated(&self) -> bool {
         self.warnings
             .iter()
             .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))

@@ -40,12 +40,12 @@ impl Printed {
     }
 
     /// Digits behind the point.
-    pub fn decimals(&self) -> usize {
+    pub(crate) fn decimals(&self) -> usize {
         self.0.split_once('.').map_or(0, |(_, behind)| behind.len())
     }
 
     /// Whether a value, rounded to the same digits, is printed the same.
-    pub fn agrees(&self, value: f64) -> bool {
+    pub(crate) fn agrees(&self, value: f64) -> bool {
         format!("{value:.0$}", self.decimals()) == self.0
     }
 }
@@ -161,21 +161,21 @@ pub fn published() -> &'static Published {
 
 /// A printed number beside ours.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Comparison {
+pub struct PublishedComparison {
     /// What is printed.
     pub printed: &'static Printed,
     /// Ours, in the unit in which it is printed.
     pub ours: f64,
 }
 
-impl Comparison {
+impl PublishedComparison {
     /// Whether every printed digit agrees.
     pub fn agrees(&self) -> bool {
         self.printed.agrees(self.ours)
     }
 
     /// Ours less the printed number.
-    pub fn difference(&self) -> f64 {
+    pub(crate) fn difference(&self) -> f64 {
         self.ours - self.printed.value()
     }
 }
@@ -184,11 +184,11 @@ impl Comparison {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TestRow {
     /// The row.
-    pub test: &'static PublishedTest,
+    pub(crate) test: &'static PublishedTest,
     /// Its F_a, kN.
-    pub force: Comparison,
+    pub(crate) force: PublishedComparison,
     /// Its delta_a, m.
-    pub deflection: Comparison,
+    pub(crate) deflection: PublishedComparison,
 }
 
 /// The whole comparison.
@@ -197,11 +197,11 @@ pub struct Validation {
     /// Table 1.
     pub tests: Vec<TestRow>,
     /// Other printed numbers.
-    pub facts: Vec<(&'static PublishedFact, Comparison)>,
+    pub facts: Vec<(&'static PublishedFact, PublishedComparison)>,
     /// F_a (kN) at the reference point beside the value worked by hand.
-    pub reference_force: Comparison,
+    pub reference_force: PublishedComparison,
     /// delta_a (m) at the reference point beside the value worked by hand.
-    pub reference_deflection: Comparison,
+    pub reference_deflection: PublishedComparison,
 }
 
 impl Validation {
@@ -220,18 +220,17 @@ pub fn validate() -> Validation {
     let published = published();
     let pair = |printed: &'static PrintedValues, ours: Values| {
         (
-            Comparison { printed: &printed.force, ours: to_kn(ours.force) },
-            Comparison { printed: &printed.deflection, ours: ours.deflection },
+            PublishedComparison { printed: &printed.force, ours: to_kn(ours.force) },
+            PublishedComparison { printed: &printed.deflection, ours: ours.deflection },
         )
     };
     let tests = published.tests.iter().map(|test| {
         let (force, deflection) = pair(&test.forecast, field_values(&test.layout()));
         TestRow { test, force, deflection }
     });
-    let facts = published
-        .facts
-        .iter()
-        .map(|fact| (fact, Comparison { printed: &fact.printed, ours: our_fact(fact.fact) }));
+    let facts = published.facts.iter().map(|fact| {
+        (fact, PublishedComparison { printed: &fact.printed, ours: our_fact(fact.fact) })
+    });
     let (reference_force, reference_deflection) =
         pair(&published.reference_point, field_values(&REFERENCE));
     Validation {
@@ -268,7 +267,7 @@ fn our_fact(fact: Fact) -> f64 {
 }
 
 /// Factors by which the published relations miss their reference values at the reference point.
-pub fn reference_point_factors() -> (f64, f64) {
+pub(crate) fn reference_point_factors() -> (f64, f64) {
     let branch = field::Branch::published(&REFERENCE);
     (field::force_ratio(&REFERENCE, branch), field::deflection_ratio(&REFERENCE, branch))
 }

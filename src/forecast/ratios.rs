@@ -8,27 +8,27 @@ use crate::mesh::MeshType;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ratios {
     /// alpha_F = F_a*/F_l*, dimensionless, above 0.
-    pub force: f64,
+    pub(crate) force: f64,
     /// alpha_delta = delta_a*/delta_l*, dimensionless, above 0.
-    pub deflection: f64,
+    pub(crate) deflection: f64,
     /// Whether these are the default ones of the double-twist reference mesh.
-    pub default: bool,
+    pub(crate) default: bool,
 }
 
 /// F_a* of the double-twist reference mesh, N: 29.1 kN (Pol & Gabrieli 2021, section 4).
-pub const REFERENCE_FIELD_FORCE: f64 = 29_100.0;
+pub(crate) const REFERENCE_FIELD_FORCE: f64 = 29_100.0;
 /// F_l* of the double-twist reference mesh, N: 73.3 kN (Pol & Gabrieli 2021, section 3).
-pub const REFERENCE_LAB_FORCE: f64 = 73_300.0;
+pub(crate) const REFERENCE_LAB_FORCE: f64 = 73_300.0;
 
 /// The ratios of the double-twist reference mesh: 29.1/73.3 (printed 0.40) and 1.08.
 ///
 /// With them F_a* = 29.1 kN and delta_a* = 0.648 m, the values with which the paper's Table 1 comes
 /// out as printed; with the rounded 0.40 and 0.65 m it does not.
-pub const DEFAULT: Ratios =
+pub(crate) const DEFAULT: Ratios =
     Ratios { force: REFERENCE_FIELD_FORCE / REFERENCE_LAB_FORCE, deflection: 1.08, default: true };
 
 /// The ratios of a mesh type: its own, or the default ones.
-pub fn of_mesh(mesh: &MeshType) -> Ratios {
+pub(crate) fn of_mesh(mesh: &MeshType) -> Ratios {
     match &mesh.ratios {
         Some(own) => Ratios { force: own.force, deflection: own.deflection, default: false },
         None => DEFAULT,
@@ -36,7 +36,7 @@ pub fn of_mesh(mesh: &MeshType) -> Ratios {
 }
 
 /// Step 1: field reference values F_a* = alpha_F F_l*, delta_a* = alpha_delta delta_l*.
-pub fn field_reference(standard: Values, ratios: &Ratios) -> Values {
+pub(crate) fn field_reference(standard: Values, ratios: &Ratios) -> Values {
     Values {
         force: standard.force * ratios.force,
         deflection: standard.deflection * ratios.deflection,

@@ -17,16 +17,16 @@ pub struct PublishedRange {
 }
 
 /// Range of the plate side d of Eqs. A.1-A.2 and 3 (Pol & Gabrieli 2021, section 4.1).
-pub const PLATE: PublishedRange =
+pub(crate) const PLATE: PublishedRange =
     PublishedRange { symbol: "d", words: "plate side", min: 0.16, max: 0.48 };
 /// Range of the spacing L of Eqs. A.1-A.2 and 3.
-pub const SPACING: PublishedRange =
+pub(crate) const SPACING: PublishedRange =
     PublishedRange { symbol: "L", words: "spacing", min: 1.25, max: 4.5 };
 /// Range of the punch diameter D of Eqs. A.1-A.2 and 3.
-pub const PUNCH: PublishedRange =
+pub(crate) const PUNCH: PublishedRange =
     PublishedRange { symbol: "D", words: "punch", min: 0.1, max: 2.5 };
 /// Range of the laboratory panel's side of Eqs. 1-2.
-pub const PANEL: PublishedRange = PublishedRange {
+pub(crate) const PANEL: PublishedRange = PublishedRange {
     symbol: "L_l",
     words: "laboratory panel",
     min: super::laboratory::PANEL_RANGE.0,
@@ -35,19 +35,19 @@ pub const PANEL: PublishedRange = PublishedRange {
 
 impl PublishedRange {
     /// Whether a value lies in the range; its ends belong to it, to a nanometre.
-    pub fn holds(&self, value: f64) -> bool {
+    pub(crate) fn holds(&self, value: f64) -> bool {
         value >= self.min - 1e-9 && value <= self.max + 1e-9
     }
 
     /// The range as text: `0.16 to 0.48 m`.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         format!("{} to {} m", shortest(self.min), shortest(self.max))
     }
 }
 
 /// How much a warning weighs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Weight {
+pub(crate) enum Weight {
     /// Good to know; the number stands.
     Note,
     /// The number is extrapolated, uncertain or rests on an assumption.
@@ -58,7 +58,7 @@ pub enum Weight {
 
 impl Weight {
     /// The word in output: `note`, `caution` or `outside`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Weight::Note => "note",
             Weight::Caution => "caution",
@@ -131,7 +131,7 @@ pub enum Warning {
 
 impl Warning {
     /// Stable identifier for programs.
-    pub fn code(&self) -> &'static str {
+    pub(crate) fn code(&self) -> &'static str {
         match self {
             Warning::Extrapolated { range, .. } => match range.symbol {
                 "d" => "extrapolated_d",
@@ -152,7 +152,7 @@ impl Warning {
     }
 
     /// How much it weighs.
-    pub fn weight(&self) -> Weight {
+    pub(crate) fn weight(&self) -> Weight {
         match self {
             Warning::PunchOnPlate { .. } => Weight::Outside,
             Warning::EccentricityFolded { .. }
@@ -163,7 +163,7 @@ impl Warning {
     }
 
     /// A few words for a narrow panel.
-    pub fn short(&self) -> String {
+    pub(crate) fn short(&self) -> String {
         match self {
             Warning::Extrapolated { range, .. } => {
                 format!("{} outside {}", range.symbol, range.text())

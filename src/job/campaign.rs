@@ -7,7 +7,7 @@ use super::pace::{Pace, QUIET};
 use crate::dem::Flow;
 use crate::study::case::Case;
 use crate::study::checks::{self, NoCheck, checks};
-use crate::study::verdict::Wanted;
+use crate::study::result::Wanted;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -37,9 +37,9 @@ impl Campaign {
         let say = |what: What| tell(News { number: order.number, what });
         let start = Instant::now();
         let seen = Mutex::new(Seen { pace: Pace::default(), index: None, spoke: start });
-        let listen = |news: checks::News| {
+        let listen = |news: checks::CaseNews| {
             match news.what {
-                checks::What::Progress(now) => {
+                checks::CaseEvent::Progress(now) => {
                     // Nothing that holds the lock can panic halfway.
                     let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
                     if seen.index != Some(news.index) {
@@ -65,8 +65,8 @@ impl Campaign {
                     }
                 }
                 // One that was ended before a run of it was whole is no news.
-                checks::What::Done(Err(NoCheck::NotMade)) => {}
-                checks::What::Done(answer) => say(What::Case {
+                checks::CaseEvent::Done(Err(NoCheck::NotMade)) => {}
+                checks::CaseEvent::Done(answer) => say(What::Case {
                     index: news.index,
                     total: news.total,
                     answer: Arc::new(answer.clone()),
@@ -105,7 +105,7 @@ mod tests {
             assert_eq!(news.number, 5);
             let said = match news.what {
                 What::Case { index, total, answer } => match &*answer {
-                    Ok(verdict) => format!("{index} of {total}: {} runs", verdict.runs),
+                    Ok(result) => format!("{index} of {total}: {} runs", result.runs),
                     Err(why) => format!("{index} of {total}: {}", why.code()),
                 },
                 What::Ended { cancelled } => format!("ended {cancelled}"),

@@ -8,9 +8,9 @@ use crate::dem::Flow;
 use crate::layout::Layout;
 use crate::mesh::MeshType;
 use crate::study::ensemble::{EnsembleProgress, Run, summary};
-use crate::study::verdict::make::{Made, Told, fingerprint, make, wires};
-use crate::study::verdict::relief::Relief;
-use crate::study::verdict::{Verdict, Wanted};
+use crate::study::result::make::{Made, Told, fingerprint, make, wires};
+use crate::study::result::relief::Relief;
+use crate::study::result::{CheckResult, Wanted};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ const SPACING: f64 = 0.008;
 #[derive(Debug, Clone)]
 pub struct Checks {
     /// What to check.
-    pub targets: Vec<Target>,
+    pub targets: Vec<CheckTarget>,
     /// How.
     pub wanted: Wanted,
     /// Whether nobody asked for it: then what the runs so far say is told as they come.
@@ -30,7 +30,7 @@ pub struct Checks {
 
 /// A layout to check.
 #[derive(Debug, Clone)]
-pub struct Target {
+pub struct CheckTarget {
     /// Which layout it is.
     pub uid: u64,
     /// Its geometry.
@@ -117,7 +117,7 @@ impl Checks {
     }
 
     /// What the runs so far say.
-    fn so_far(&self, seen: &Seen, target: &Target) -> Option<Made> {
+    fn so_far(&self, seen: &Seen, target: &CheckTarget) -> Option<Made> {
         let mut runs = seen.runs.clone();
         runs.sort_by_key(|(k, _)| *k);
         let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
@@ -125,14 +125,14 @@ impl Checks {
         let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
         let wire = wires(&target.mesh).ok()?;
         let inputs = fingerprint(&target.layout, wire, &self.wanted);
-        let mut verdict = Verdict::of(&ensemble, &self.wanted, inputs);
+        let mut result = CheckResult::of(&ensemble, &self.wanted, inputs);
         // A first run goes on behind its break; the mean of several does not, and the chart would jump.
-        if let Some(end) = verdict.curve.failure {
-            let before = verdict.curve.points().filter(|p| p.deflection <= end.deflection).count();
-            verdict.curve.deflection.truncate(before);
-            verdict.curve.force.truncate(before);
+        if let Some(end) = result.curve.failure {
+            let before = result.curve.points().filter(|p| p.deflection <= end.deflection).count();
+            result.curve.deflection.truncate(before);
+            result.curve.force.truncate(before);
         }
-        Some(Made { verdict, relief })
+        Some(Made { result, relief })
     }
 }
 
@@ -165,7 +165,7 @@ impl Seen {
         &self,
         part: usize,
         parts: usize,
-        target: &Target,
+        target: &CheckTarget,
         now: &EnsembleProgress,
         start: Instant,
     ) -> Progress {
@@ -191,7 +191,7 @@ mod tests {
     use crate::mesh::catalogue;
 
     fn order(live: bool, spacings: &[f64]) -> Order {
-        let target = |(uid, spacing): (usize, &f64)| Target {
+        let target = |(uid, spacing): (usize, &f64)| CheckTarget {
             uid: uid as u64,
             layout: Layout { spacing: *spacing, punch: 0.5, ..REFERENCE },
             mesh: catalogue::reference(),
@@ -219,7 +219,7 @@ mod tests {
             .iter()
             .filter_map(|what| match what {
                 What::Made { uid, made, more: false, .. } => {
-                    Some(format!("{uid}: {} runs", made.verdict.runs))
+                    Some(format!("{uid}: {} runs", made.result.runs))
                 }
                 What::Refused { uid, .. } => Some(format!("{uid}: refused")),
                 What::Ended { cancelled } => Some(format!("ended {cancelled}")),
@@ -235,7 +235,7 @@ mod tests {
         let made: Vec<(usize, bool)> = heard
             .iter()
             .filter_map(|what| match what {
-                What::Made { made, more, .. } => Some((made.verdict.runs, *more)),
+                What::Made { made, more, .. } => Some((made.result.runs, *more)),
                 _ => None,
             })
             .collect();

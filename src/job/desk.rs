@@ -12,7 +12,7 @@ use std::thread;
 
 /// Whether somebody waits for the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Urgency {
+pub(crate) enum Urgency {
     /// Started by itself after an edit.
     Live,
     /// Asked for by the user.
@@ -25,12 +25,12 @@ pub struct Ticket(Arc<AtomicBool>);
 
 impl Ticket {
     /// Whether the work should end soon.
-    pub fn cancelled(&self) -> bool {
+    pub(crate) fn cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 
     /// Asks the work to end.
-    pub fn cancel(&self) {
+    pub(crate) fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 }
@@ -54,14 +54,14 @@ impl<J> Shared<J> {
 }
 
 /// The owner's side of the worker. Dropping it ends the work that runs and the worker.
-pub struct Desk<J> {
+pub(crate) struct Desk<J> {
     shared: Arc<Shared<J>>,
 }
 
 impl<J: Send + 'static> Desk<J> {
     /// Starts the worker. `work` does an order and should look at its ticket often; `failed` is told of
     /// one that panicked. Nothing if the system gives no thread.
-    pub fn open(
+    pub(crate) fn open(
         work: impl Fn(&J, &Ticket) + Send + 'static,
         failed: impl Fn(&J) + Send + 'static,
     ) -> Option<Desk<J>> {
@@ -83,7 +83,7 @@ impl<J: Send + 'static> Desk<J> {
     }
 
     /// Hands in an order.
-    pub fn submit(&self, urgency: Urgency, job: J) {
+    pub(crate) fn submit(&self, urgency: Urgency, job: J) {
         let mut state = self.shared.lock();
         // What was asked for and has not begun yet is not pushed aside by what nobody asked for.
         if urgency == Urgency::Live && matches!(state.waiting, Some((Urgency::Asked, _))) {
@@ -99,7 +99,7 @@ impl<J: Send + 'static> Desk<J> {
     }
 
     /// Ends what runs and drops what waits.
-    pub fn cancel(&self) {
+    pub(crate) fn cancel(&self) {
         let mut state = self.shared.lock();
         state.waiting = None;
         if let Some((_, ticket)) = &state.running {

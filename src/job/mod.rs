@@ -8,11 +8,12 @@
 //!
 //! Whoever owns the desk gives it a function that takes the news, from the worker's threads.
 
-pub mod campaign;
-pub mod checks;
-pub mod desk;
+pub(crate) mod campaign;
+pub(crate) mod checks;
+pub(crate) mod desk;
 pub mod order;
-pub mod pace;
+pub(crate) mod pace;
 
-pub use desk::{Desk, Ticket, Urgency};
+pub(crate) use desk::Desk;
+pub use desk::Ticket;
 pub use order::{News, Order};

@@ -5,8 +5,8 @@ use super::checks::Checks;
 use super::desk::{Ticket, Urgency};
 use crate::curve::Point;
 use crate::problem::Problem;
-use crate::study::checks::Answer;
-use crate::study::verdict::make::Made;
+use crate::study::checks::CheckAnswer;
+use crate::study::result::make::Made;
 use std::sync::Arc;
 
 /// Work to be done behind the screen.
@@ -31,7 +31,7 @@ pub enum Task {
 
 impl Order {
     /// Whether somebody waits for it.
-    pub fn urgency(&self) -> Urgency {
+    pub(crate) fn urgency(&self) -> Urgency {
         match &self.task {
             Task::Checks(checks) if checks.live => Urgency::Live,
             Task::Checks(_) | Task::Campaign(_) => Urgency::Asked,
@@ -81,7 +81,7 @@ pub enum What {
         /// How many there are.
         total: usize,
         /// Its check, or why there is none.
-        answer: Arc<Answer>,
+        answer: Arc<CheckAnswer>,
     },
     /// A layout cannot be checked.
     Refused {

@@ -3,17 +3,17 @@
 //! A run's end is not known before it breaks: it is expected where the forecast has it, and once one
 //! has ended, where that one did.
 
-use crate::dem::Progress;
+use crate::dem::RunProgress;
 use std::collections::HashMap;
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
 /// Least time between two words of progress: four a second.
-pub const QUIET: Duration = Duration::from_millis(250);
+pub(crate) const QUIET: Duration = Duration::from_millis(250);
 
 /// Counts what is done. Runs belong to parts, as the layouts of a project.
 #[derive(Debug, Default)]
-pub struct Pace {
+pub(crate) struct Pace {
     part: usize,
     parts: usize,
     /// Punch displacement at which a run of this part is expected to end, m.
@@ -26,14 +26,14 @@ pub struct Pace {
 
 impl Pace {
     /// Goes on to part `part` of `parts`, whose runs are expected to end at `end` (m).
-    pub fn begin(&mut self, part: usize, parts: usize, end: f64) {
+    pub(crate) fn begin(&mut self, part: usize, parts: usize, end: f64) {
         (self.part, self.parts, self.end) = (part, parts.max(1), end.max(0.01));
         self.runs.clear();
         self.threads.clear();
     }
 
     /// Takes the progress of a run on the thread that calls.
-    pub fn take(&mut self, run: usize, planned: usize, inner: &Progress) {
+    pub(crate) fn take(&mut self, run: usize, planned: usize, inner: &RunProgress) {
         if self.runs.len() < planned {
             self.runs.resize(planned, 0.0);
         }
@@ -54,20 +54,20 @@ impl Pace {
     }
 
     /// How much of everything is done, 0 to 1.
-    pub fn fraction(&self) -> f64 {
+    pub(crate) fn fraction(&self) -> f64 {
         let here = self.runs.iter().sum::<f64>() / self.runs.len().max(1) as f64;
         (self.part as f64 + here) / self.parts.max(1) as f64
     }
 
     /// Time left after so many seconds, s.
-    pub fn left(&self, elapsed: f64) -> f64 {
+    pub(crate) fn left(&self, elapsed: f64) -> f64 {
         let fraction = self.fraction().clamp(1.0e-4, 1.0);
         elapsed * (1.0 - fraction) / fraction
     }
 }
 
 /// A time as people say it: `8 s`, `3 min`, `2.5 h`.
-pub fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     if seconds < 99.5 {
         format!("{seconds:.0} s")
     } else if seconds < 99.5 * 60.0 {
@@ -81,8 +81,15 @@ pub fn duration(seconds: f64) -> String {
 mod tests {
     use super::*;
 
-    fn at(deflection: f64) -> Progress {
-        Progress { deflection, force: 0.0, utilisation: 0.0, limit: 1.8, steps: 0, broken: false }
+    fn at(deflection: f64) -> RunProgress {
+        RunProgress {
+            deflection,
+            force: 0.0,
+            utilisation: 0.0,
+            limit: 1.8,
+            steps: 0,
+            broken: false,
+        }
     }
 
     #[test]

@@ -8,7 +8,7 @@ use std::sync::{Arc, OnceLock};
 const TEXT: &str = include_str!("../../assets/meshes.ron");
 
 /// All mesh types of the catalogue, the reference mesh first.
-pub fn all() -> &'static [Arc<MeshType>] {
+pub(crate) fn all() -> &'static [Arc<MeshType>] {
     static ALL: OnceLock<Vec<Arc<MeshType>>> = OnceLock::new();
     ALL.get_or_init(|| {
         let options = ron::Options::default()
@@ -22,7 +22,7 @@ pub fn all() -> &'static [Arc<MeshType>] {
 }
 
 /// The mesh of this identifier, if the catalogue has it.
-pub fn find(id: &str) -> Option<Arc<MeshType>> {
+pub(crate) fn find(id: &str) -> Option<Arc<MeshType>> {
     all().iter().find(|m| m.id == id).cloned()
 }
 

@@ -6,7 +6,7 @@ use super::catalogue;
 use super::wire::{CurvePoint, Distortion, NetGeometry, Slack, WireData};
 
 /// Published tensile curve of the single wire of the 2.7 mm mesh: strain, stress in MPa.
-pub const SINGLE_WIRE: [CurvePoint; 7] = [
+pub(crate) const SINGLE_WIRE: [CurvePoint; 7] = [
     CurvePoint(0.001_923_1, 250.0),
     CurvePoint(0.0192, 321.95),
     CurvePoint(0.05, 382.92),
@@ -20,7 +20,7 @@ pub const SINGLE_WIRE: [CurvePoint; 7] = [
 /// times q (so that the modulus stays), strains past the elastic point measured from it times s.
 ///
 /// The elastic strain that the others are measured from is the unscaled one.
-pub fn scaled(points: &[CurvePoint], strain: f64, stress: f64) -> Vec<CurvePoint> {
+pub(crate) fn scaled(points: &[CurvePoint], strain: f64, stress: f64) -> Vec<CurvePoint> {
     let first = points.first().map_or(0.0, |p| p.0);
     points
         .iter()
@@ -77,7 +77,7 @@ pub fn reference() -> WireData {
 }
 
 /// A named law: `bench`, `yade` or `reference`.
-pub fn find(name: &str) -> Option<WireData> {
+pub(crate) fn find(name: &str) -> Option<WireData> {
     match name {
         "bench" => Some(bench()),
         "yade" => Some(yade()),

@@ -18,9 +18,9 @@ use serde::{Deserialize, Serialize};
 pub const REFERENCE_ID: &str = "dt-8x10-2.7";
 
 /// Side of the standard laboratory panel, L^l, m (ISO 17745, ISO 17746, UNI 11437).
-pub const STANDARD_PANEL: f64 = 3.0;
+pub(crate) const STANDARD_PANEL: f64 = 3.0;
 /// Diameter of the standard laboratory punch, D^l, m (ISO 17745, ISO 17746, UNI 11437).
-pub const STANDARD_PUNCH: f64 = 1.0;
+pub(crate) const STANDARD_PUNCH: f64 = 1.0;
 
 /// A mesh type: all the forecast and the check need to know of a mesh.
 ///
@@ -86,7 +86,7 @@ pub enum Statistic {
 
 impl Statistic {
     /// The word for people: `mean` or `characteristic`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Statistic::Mean => "mean",
             Statistic::Characteristic => "characteristic",
@@ -123,7 +123,7 @@ const LARGEST_PANEL: f64 = 20.0;
 
 impl MeshType {
     /// The name for people, or the identifier where there is none.
-    pub fn title(&self) -> &str {
+    pub(crate) fn title(&self) -> &str {
         if self.name.is_empty() { &self.id } else { &self.name }
     }
 
@@ -131,7 +131,7 @@ impl MeshType {
     ///
     /// # Errors
     /// Every field that is wrong, by its path inside the mesh (`laboratory.force`).
-    pub fn check(&self) -> Result<(), Vec<Problem>> {
+    pub(crate) fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
         if self.id.trim().is_empty() || self.id.chars().any(char::is_whitespace) {
             problems.push(

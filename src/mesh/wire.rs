@@ -80,7 +80,7 @@ impl WireData {
     ///
     /// # Errors
     /// Every field that is wrong, by its path inside the wire data (`net.opening`).
-    pub fn check(&self) -> Result<(), Vec<Problem>> {
+    pub(crate) fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
         let mut range = |field: &str, value: f64, min: f64, max: f64, open: bool, unit: &str| {
             let above = if open { value > min } else { value >= min };

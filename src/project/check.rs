@@ -117,7 +117,7 @@ impl NamedLayout {
     ///
     /// # Errors
     /// Every field that is wrong, by its name in the file.
-    pub fn check(&self) -> Result<(), Vec<Problem>> {
+    pub(crate) fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
         problems.extend(check_name("name", &self.name, true));
         problems.extend(check_notes("note", &self.note));
@@ -169,7 +169,7 @@ fn check_factor(field: &str, factor: f64) -> Option<Problem> {
 }
 
 /// What is wrong with a name: empty, too long, or with characters that cannot be shown.
-pub fn check_name(field: &str, name: &str, needed: bool) -> Option<Problem> {
+pub(crate) fn check_name(field: &str, name: &str, needed: bool) -> Option<Problem> {
     let said = if needed && name.trim().is_empty() {
         "a name is needed"
     } else if name.chars().count() > LONGEST_NAME {

@@ -1,7 +1,7 @@
 //! Tree to project: checks fields and types, and says of each problem where it stands.
 
 use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
-use super::text::{Group, Kind, Node, Shape};
+use super::text::{Group, Node, NodeKind, Shape};
 use super::{inline_mesh, kept, words};
 use crate::layout::BranchRule;
 use crate::problem::Problem;
@@ -10,10 +10,10 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Fields of a project, in the order in which they are written.
-pub const PROJECT_FIELDS: &[&str] =
+pub(crate) const PROJECT_FIELDS: &[&str] =
     &["version", "name", "site", "notes", "meshes", "layouts", "display"];
 /// Fields of a layout, in the order in which they are written.
-pub const LAYOUT_FIELDS: &[&str] = &[
+pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "name",
     "d",
     "L",
@@ -31,14 +31,14 @@ pub const LAYOUT_FIELDS: &[&str] = &[
     "check",
 ];
 /// Fields of the display preferences.
-pub const DISPLAY_FIELDS: &[&str] = &["length_unit"];
+pub(crate) const DISPLAY_FIELDS: &[&str] = &["length_unit"];
 
 /// More problems than this are not looked for; a message shows a handful.
 const MOST_FOUND: usize = 200;
 
 /// A problem and the byte where it stands.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub(crate) struct Found {
     /// The byte where it stands, if it has a place.
     pub at: Option<usize>,
     /// What is wrong, by its path in the file.
@@ -47,7 +47,7 @@ pub struct Found {
 
 impl Found {
     /// A problem at a place.
-    pub fn new(at: usize, problem: Problem) -> Self {
+    pub(crate) fn new(at: usize, problem: Problem) -> Self {
         Found { at: Some(at), problem: Box::new(problem) }
     }
 }
@@ -57,7 +57,7 @@ impl Found {
 ///
 /// # Errors
 /// Everything that is wrong.
-pub fn project(text: &str, root: &Node) -> Result<Project, Vec<Found>> {
+pub(crate) fn project(text: &str, root: &Node) -> Result<Project, Vec<Found>> {
     let mut d = Decoder { text, found: Vec::new() };
     let project = d.project(root);
     match project {
@@ -130,8 +130,8 @@ impl<'t> Decoder<'t> {
 
     fn mesh(&mut self, node: &Node, path: &str) -> Option<MeshUse> {
         match &node.kind {
-            Kind::Text(id) => Some(MeshUse::Catalogue(id.clone())),
-            Kind::Group(g) if matches!(g.shape, Shape::Struct) => {
+            NodeKind::Text(id) => Some(MeshUse::Catalogue(id.clone())),
+            NodeKind::Group(g) if matches!(g.shape, Shape::Struct) => {
                 match inline_mesh::read(self.text, node, path) {
                     Ok(mesh) => Some(MeshUse::Inline(Arc::new(mesh))),
                     Err(found) => {
@@ -194,7 +194,7 @@ impl<'t> Decoder<'t> {
     ) -> Option<Fields<'n>> {
         let inner = node.unwrapped();
         let group = match &inner.kind {
-            Kind::Group(g)
+            NodeKind::Group(g)
                 if g.shape == Shape::Struct
                     || (g.shape == Shape::Tuple && g.entries.is_empty()) =>
             {
@@ -246,7 +246,7 @@ impl<'t> Decoder<'t> {
         let Some(node) = f.get(name) else { return Vec::new() };
         let path = f.path(name);
         match &node.unwrapped().kind {
-            Kind::Group(g) if g.shape == Shape::List => g
+            NodeKind::Group(g) if g.shape == Shape::List => g
                 .entries
                 .iter()
                 .enumerate()
@@ -255,7 +255,7 @@ impl<'t> Decoder<'t> {
                     if enough { None } else { read(self, &e.value, &format!("{path}[{k}]")) }
                 })
                 .collect(),
-            Kind::Word(word) if word == "None" => Vec::new(),
+            NodeKind::Word(word) if word == "None" => Vec::new(),
             _ => {
                 self.wrong_type(node, &path, "a list in square brackets");
                 Vec::new()
@@ -267,7 +267,7 @@ impl<'t> Decoder<'t> {
     fn optional<'n>(&mut self, f: &Fields<'n>, name: &str) -> Option<&'n Node> {
         let node = f.get(name)?.unwrapped();
         match &node.kind {
-            Kind::Word(word) if word == "None" => {
+            NodeKind::Word(word) if word == "None" => {
                 if matches!(name, "name" | "version" | "d" | "L" | "D") {
                     self.wrong_type(node, &f.path(name), "a value");
                 }
@@ -280,7 +280,7 @@ impl<'t> Decoder<'t> {
     fn text(&mut self, f: &Fields, name: &str) -> Option<String> {
         let node = self.optional(f, name)?;
         match &node.kind {
-            Kind::Text(text) => Some(text.clone()),
+            NodeKind::Text(text) => Some(text.clone()),
             _ => {
                 self.wrong_type(node, &f.path(name), "a text in double quotes");
                 None
@@ -291,9 +291,9 @@ impl<'t> Decoder<'t> {
     fn word<T: Copy>(&mut self, f: &Fields, name: &str, words: &[(&str, T)]) -> Option<T> {
         let node = self.optional(f, name)?;
         let written = match &node.kind {
-            Kind::Word(word) | Kind::Text(word) => word.as_str(),
-            Kind::Bool(true) => "true",
-            Kind::Bool(false) => "false",
+            NodeKind::Word(word) | NodeKind::Text(word) => word.as_str(),
+            NodeKind::Bool(true) => "true",
+            NodeKind::Bool(false) => "false",
             _ => "",
         };
         let value = words.iter().find(|w| w.0 == written).map(|w| w.1);
@@ -312,20 +312,20 @@ impl<'t> Decoder<'t> {
         let path = f.path(name);
         let shown = words::shorten(node.span.of(self.text));
         let (problem, advice) = match &node.kind {
-            Kind::Number(v) if v.is_finite() => {
+            NodeKind::Number(v) if v.is_finite() => {
                 let si = if quantity == Quantity::Force { units::from_kn(*v) } else { *v };
                 if si.is_finite() {
                     return Some(si);
                 }
                 ("the number is too large".to_string(), String::new())
             }
-            Kind::Number(v) if v.is_nan() => {
+            NodeKind::Number(v) if v.is_nan() => {
                 ("this is not a number".to_string(), "write an ordinary number".to_string())
             }
-            Kind::Number(_) => {
+            NodeKind::Number(_) => {
                 ("the number is infinite".to_string(), "write an ordinary number".to_string())
             }
-            Kind::Text(text) => match units::parse(text, quantity, LengthUnit::Metre) {
+            NodeKind::Text(text) => match units::parse(text, quantity, LengthUnit::Metre) {
                 Ok(value) => return Some(value),
                 Err(e) => (e.to_string(), String::new()),
             },
@@ -345,7 +345,7 @@ pub(super) const NEWER: &str =
 ///
 /// # Errors
 /// The one thing that is wrong with it.
-pub fn version(text: &str, root: &Node) -> Result<u32, Found> {
+pub(crate) fn version(text: &str, root: &Node) -> Result<u32, Found> {
     let missing = |at: usize| {
         Found::new(
             at,
@@ -354,8 +354,7 @@ pub fn version(text: &str, root: &Node) -> Result<u32, Found> {
                 .advice(format!("put version: {CURRENT_VERSION}, first in the file")),
         )
     };
-    let is_struct =
-        matches!(&root.kind, Kind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty());
+    let is_struct = matches!(&root.kind, NodeKind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty());
     if !is_struct {
         return Err(Found::new(
             root.span.start,
@@ -375,7 +374,7 @@ pub fn version(text: &str, root: &Node) -> Result<u32, Found> {
         )
     };
     match node.kind {
-        Kind::Number(v) if v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&v) => {
+        NodeKind::Number(v) if v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&v) => {
             // Whole and within range, so nothing is lost.
             let version = v as u32;
             if version <= CURRENT_VERSION {

@@ -56,19 +56,14 @@ impl Document {
     }
 
     /// The file's name for people.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         let name = self.path.as_ref().and_then(|p| p.file_name());
         name.map_or_else(|| "unnamed".to_string(), |n| n.to_string_lossy().into_owned())
     }
 
     /// The text of the file when it was last read or written, to the byte; none if it was not on disk.
-    pub fn on_disk(&self) -> Option<&str> {
+    pub(crate) fn on_disk(&self) -> Option<&str> {
         self.on_disk.as_deref()
-    }
-
-    /// The project as opened or last saved.
-    pub fn base(&self) -> &Project {
-        &self.base
     }
 
     /// Whether a project differs from what was opened or last saved.

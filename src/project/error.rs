@@ -27,22 +27,22 @@ pub enum Cause {
 
 /// One thing wrong with a file, at its place.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fault {
+pub struct FileFault {
     /// Line, from 1, where there is one.
-    pub line: Option<usize>,
+    pub(crate) line: Option<usize>,
     /// Column, from 1, in characters.
-    pub column: Option<usize>,
+    pub(crate) column: Option<usize>,
     /// Name of the layout it is in.
-    pub layout: Option<String>,
+    pub(crate) layout: Option<String>,
     /// What is wrong, by its path in the file.
-    pub problem: Problem,
+    pub(crate) problem: Problem,
 }
 
-impl Fault {
+impl FileFault {
     /// Something wrong with the file as a whole.
     pub(super) fn whole(said: &str, advice: String) -> Self {
         let problem = Problem::new("", said).advice(advice);
-        Fault { line: None, column: None, layout: None, problem }
+        FileFault { line: None, column: None, layout: None, problem }
     }
 
     /// A problem at its place in a text.
@@ -53,11 +53,11 @@ impl Fault {
             let item = tree.root.field("layouts")?.value.unwrapped();
             let item = item.items()?.get(index.parse::<usize>().ok()?)?;
             match &item.value.unwrapped().field("name")?.value.kind {
-                super::text::Kind::Text(name) => Some(super::words::shorten(name)),
+                super::text::NodeKind::Text(name) => Some(super::words::shorten(name)),
                 _ => None,
             }
         });
-        Fault {
+        FileFault {
             line: place.map(|p| p.0),
             column: place.map(|p| p.1),
             layout: layout.filter(|name| !name.is_empty()),
@@ -74,13 +74,13 @@ pub struct LoadError {
     /// The kind of trouble.
     pub cause: Cause,
     /// What is wrong, in the order of the file; never empty.
-    pub faults: Vec<Fault>,
+    pub faults: Vec<FileFault>,
     /// How many more faults there are.
     pub more: usize,
 }
 
 impl LoadError {
-    pub(super) fn new(file: &str, cause: Cause, mut faults: Vec<Fault>) -> Self {
+    pub(super) fn new(file: &str, cause: Cause, mut faults: Vec<FileFault>) -> Self {
         faults.sort_by_key(|f| (f.line, f.column));
         LoadError { file: file.to_string(), cause, faults, more: 0 }
     }
@@ -91,7 +91,7 @@ impl LoadError {
     }
 
     /// The lines of one fault.
-    fn lines(fault: &Fault) -> Vec<String> {
+    fn lines(fault: &FileFault) -> Vec<String> {
         let p = &fault.problem;
         let mut lines = Vec::new();
         let mut head = match (fault.line, fault.column) {
@@ -220,8 +220,12 @@ mod tests {
         for count in [1, 2, 5, 400] {
             for words in [&long[..], "石石石石 \u{1b}[2J bell \u{7}", "short"] {
                 let problem = Problem::new(words, words).value(words).allowed(words).advice(words);
-                let fault =
-                    Fault { line: Some(1), column: Some(2), layout: Some(words.into()), problem };
+                let fault = FileFault {
+                    line: Some(1),
+                    column: Some(2),
+                    layout: Some(words.into()),
+                    problem,
+                };
                 let error = LoadError::new(words, Cause::BadInput, vec![fault; count]);
                 let said = error.to_string();
                 assert!(said.lines().count() <= MOST_LINES, "{said}");

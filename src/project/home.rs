@@ -14,7 +14,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Environment variable that names one directory for data and settings in place of the system's own.
-pub const DATA_DIR_VARIABLE: &str = "MESHCAST_DATA_DIR";
+pub(crate) const DATA_DIR_VARIABLE: &str = "MESHCAST_DATA_DIR";
 
 /// Most paths in the list of recent projects.
 const MOST_RECENT: usize = 20;
@@ -33,7 +33,7 @@ pub struct Home {
 
 /// A project to start with.
 #[derive(Debug, Clone)]
-pub struct Start {
+pub struct FirstProject {
     /// The project.
     pub opened: Opened,
     /// Something the user should know, for example that the project is kept nowhere yet.
@@ -50,7 +50,7 @@ struct State {
 
 impl Home {
     /// The data directory of this system, or the one that `MESHCAST_DATA_DIR` names. Nothing is made.
-    pub fn find() -> Home {
+    pub(crate) fn find() -> Home {
         let named = std::env::var_os(DATA_DIR_VARIABLE).filter(|dir| !dir.is_empty());
         if let Some(dir) = named {
             return Home::at(Some(PathBuf::from(dir)));
@@ -68,17 +68,17 @@ impl Home {
     }
 
     /// The data directory; it need not exist.
-    pub fn data_dir(&self) -> Option<&Path> {
+    pub(crate) fn data_dir(&self) -> Option<&Path> {
         self.dir.as_deref()
     }
 
     /// The file of settings; it need not exist.
-    pub fn settings_file(&self) -> Option<PathBuf> {
+    pub(crate) fn settings_file(&self) -> Option<PathBuf> {
         self.config.as_ref().map(|dir| dir.join("settings.ron"))
     }
 
     /// Whether a file is one of the program's own and no project.
-    pub fn keeps(&self, path: &Path) -> bool {
+    pub(crate) fn keeps(&self, path: &Path) -> bool {
         [self.state_file(), self.settings_file()].iter().flatten().any(|own| own == path)
     }
 
@@ -92,11 +92,11 @@ impl Home {
     ///
     /// # Errors
     /// Only if the sample in the data directory was changed so that it cannot be read.
-    pub fn start_project(&self) -> Result<Start, LoadError> {
+    pub fn start_project(&self) -> Result<FirstProject, LoadError> {
         let mut note = None;
         if let Some(last) = self.recent().first() {
             match load::load(last) {
-                Ok(opened) => return Ok(Start { opened, note: None }),
+                Ok(opened) => return Ok(FirstProject { opened, note: None }),
                 Err(error) => {
                     let why = error.faults.first().map_or("", |f| f.problem.message.as_str());
                     note = Some(format!("The last project, {}: {why}.", last.display()));
@@ -113,7 +113,7 @@ impl Home {
             fs::create_dir_all(dir).and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
         };
         match made {
-            Ok(()) => Ok(Start { opened: load::load(&path)?, note }),
+            Ok(()) => Ok(FirstProject { opened: load::load(&path)?, note }),
             Err(_) => unsaved(note, &format!("{} cannot be written", dir.display())),
         }
     }
@@ -161,9 +161,9 @@ impl Home {
 }
 
 /// The sample in no file.
-fn unsaved(note: Option<String>, why: &str) -> Result<Start, LoadError> {
+fn unsaved(note: Option<String>, why: &str) -> Result<FirstProject, LoadError> {
     let mut said = note.map(|n| n + " ").unwrap_or_default();
     said.push_str(why);
     said.push_str(": this is the sample, kept nowhere until you save it under a name.");
-    Ok(Start { opened: load::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
+    Ok(FirstProject { opened: load::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
 }

@@ -2,14 +2,14 @@
 //! the wording of this room.
 
 use super::decode::Found;
-use super::text::{Kind, Node, Shape, line_column, offset_at};
+use super::text::{Node, NodeKind, Shape, line_column, offset_at};
 use super::words;
 use crate::mesh::MeshType;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 
 /// RON as the program reads it everywhere: optional values need no `Some`.
-pub fn ron_options() -> ron::Options {
+pub(crate) fn ron_options() -> ron::Options {
     ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME)
 }
 
@@ -17,7 +17,7 @@ pub fn ron_options() -> ron::Options {
 ///
 /// # Errors
 /// The first thing that is wrong with its fields.
-pub fn read(text: &str, node: &Node, path: &str) -> Result<MeshType, Found> {
+pub(crate) fn read(text: &str, node: &Node, path: &str) -> Result<MeshType, Found> {
     if let Some(wire) = node.field("wire")
         && let Some(found) = decimal_comma_in_curve(text, &wire.value, &format!("{path}.wire."))
     {
@@ -32,7 +32,7 @@ pub fn read(text: &str, node: &Node, path: &str) -> Result<MeshType, Found> {
 ///
 /// # Errors
 /// The first thing that is wrong with its fields.
-pub fn read_wire(text: &str, node: &Node) -> Result<WireData, Found> {
+pub(crate) fn read_wire(text: &str, node: &Node) -> Result<WireData, Found> {
     if let Some(found) = decimal_comma_in_curve(text, node, "") {
         return Err(found);
     }
@@ -42,7 +42,7 @@ pub fn read_wire(text: &str, node: &Node) -> Result<WireData, Found> {
 }
 
 /// A mesh type as RON, one field a line, `indent` steps of four blanks in.
-pub fn write(mesh: &MeshType, indent: usize) -> Option<String> {
+pub(crate) fn write(mesh: &MeshType, indent: usize) -> Option<String> {
     let text = pretty(mesh)?;
     // Line feeds inside strings are escaped by the writer, so every one of these starts a line.
     Some(text.replace('\n', &format!("\n{}", "    ".repeat(indent))))
@@ -62,7 +62,7 @@ fn pretty(value: &impl serde::Serialize) -> Option<String> {
 }
 
 /// Wire data as RON, one field a line.
-pub fn write_wire(wire: &WireData) -> Option<String> {
+pub(crate) fn write_wire(wire: &WireData) -> Option<String> {
     pretty(wire)
 }
 
@@ -210,10 +210,9 @@ fn decimal_comma_in_curve(text: &str, wire: &Node, path: &str) -> Option<Found> 
         for (k, point) in points.iter().enumerate() {
             let many =
                 point.value.group().is_some_and(|g| g.shape == Shape::Tuple && g.entries.len() > 2);
-            let numbers = point
-                .value
-                .items()
-                .is_some_and(|items| items.iter().all(|e| matches!(e.value.kind, Kind::Number(_))));
+            let numbers = point.value.items().is_some_and(|items| {
+                items.iter().all(|e| matches!(e.value.kind, NodeKind::Number(_)))
+            });
             if many && numbers {
                 let problem = Problem::new(
                     format!("{path}{name}[{k}]"),
@@ -229,7 +228,7 @@ fn decimal_comma_in_curve(text: &str, wire: &Node, path: &str) -> Option<Found> 
 }
 
 /// What the `ron` crate has against a text that this room's reader takes, if anything.
-pub fn second_opinion(text: &str, root: &Node) -> Option<Found> {
+pub(crate) fn second_opinion(text: &str, root: &Node) -> Option<Found> {
     let bare = text.strip_prefix('\u{feff}').unwrap_or(text);
     let error = ron_options().from_str::<serde::de::IgnoredAny>(bare).err()?;
     let skipped = text.len() - bare.len();

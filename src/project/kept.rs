@@ -11,7 +11,7 @@ use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
-use crate::study::verdict::{FirstBreak, Verdict, Wanted, mean, rounded};
+use crate::study::result::{CheckResult, FirstBreak, Wanted, mean, rounded};
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
 
@@ -72,8 +72,8 @@ fn spread_back(v: [f64; 5], unit: fn(f64) -> f64) -> Spread {
     Spread { mean, deviation, error, band: [low, high] }
 }
 
-/// A verdict as RON on one line.
-pub fn write(v: &Verdict) -> String {
+/// A result as RON on one line.
+pub(crate) fn write(v: &CheckResult) -> String {
     let q = &v.quality;
     let kept = Kept {
         by: v.version.clone(),
@@ -118,11 +118,11 @@ pub fn write(v: &Verdict) -> String {
     text.strip_prefix("#![enable(implicit_some)]").map_or(text.clone(), |t| t.trim().to_string())
 }
 
-/// Reads the verdict of a node.
+/// Reads the result of a node.
 ///
 /// # Errors
 /// What is wrong with it; taking the whole field out of the file always helps.
-pub fn read(text: &str, node: &Node, path: &str) -> Result<Verdict, Found> {
+pub(crate) fn read(text: &str, node: &Node, path: &str) -> Result<CheckResult, Found> {
     let wrong = |said: String| {
         let problem = Problem::new(path, said)
             .advice("take this field out of the file; c in the program makes the check again");
@@ -134,7 +134,7 @@ pub fn read(text: &str, node: &Node, path: &str) -> Result<Verdict, Found> {
     back(kept).map_err(|said| wrong(format!("this kept check makes no sense: {said}")))
 }
 
-fn back(k: Kept) -> Result<Verdict, &'static str> {
+fn back(k: Kept) -> Result<CheckResult, &'static str> {
     let inputs = u64::from_str_radix(&k.inputs, 16).map_err(|_| "inputs is no fingerprint")?;
     let lists = [&k.curve_delta, &k.curve_force, &k.low, &k.high];
     let numbers = lists.iter().flat_map(|list| list.iter());
@@ -169,7 +169,7 @@ fn back(k: Kept) -> Result<Verdict, &'static str> {
         shaking,
         error,
     ] = k.quality;
-    Ok(Verdict {
+    Ok(CheckResult {
         wanted: Wanted {
             fidelity: k.fidelity,
             runs: (k.asked > 0).then_some(k.asked),
@@ -218,21 +218,21 @@ mod tests {
     use crate::layout::{Layout, REFERENCE};
     use crate::mesh::catalogue;
     use crate::project::text::parser::parse;
-    use crate::study::verdict::make::make;
+    use crate::study::result::make::make;
 
-    fn read_back(text: &str) -> Result<Verdict, Found> {
+    fn read_back(text: &str) -> Result<CheckResult, Found> {
         let tree = parse(text).unwrap();
         read(text, tree.root.unwrapped(), "layouts[0].check")
     }
 
     #[test]
-    fn a_verdict_comes_back_to_the_last_bit_and_is_small() {
+    fn a_result_comes_back_to_the_last_bit_and_is_small() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 };
         let made = make(&layout, &catalogue::reference(), &wanted, 1, &|_| Flow::Continue).unwrap();
-        let text = write(&made.verdict);
+        let text = write(&made.result);
         assert!(!text.contains('\n') && text.len() < 3_000, "{} bytes: {text}", text.len());
-        assert_eq!(read_back(&text).unwrap(), made.verdict);
+        assert_eq!(read_back(&text).unwrap(), made.result);
     }
 
     #[test]
@@ -241,7 +241,7 @@ mod tests {
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: 3 };
         let mesh = catalogue::reference();
         let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
-        let text = write(&made.verdict);
+        let text = write(&made.result);
         for (from, to) in [
             ("curve_delta:[", "curve_delta:[9.0,"),
             ("seed:3", "seed:-3"),

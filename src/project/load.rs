@@ -2,7 +2,7 @@
 
 use super::decode::{self, Found};
 use super::document::{Document, Opened};
-use super::error::{Cause, Fault, LoadError};
+use super::error::{Cause, FileFault, LoadError};
 use super::schema::{CURRENT_VERSION, Project};
 use super::text::{self, Tree, parser};
 use super::{inline_mesh, migrate};
@@ -12,22 +12,22 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// Largest project file, in bytes.
-pub const LARGEST_FILE: u64 = 4 * 1024 * 1024;
+pub(crate) const LARGEST_FILE: u64 = 4 * 1024 * 1024;
 
 /// Most faults that an error holds; it shows fewer, and counts the rest.
 const MOST_FAULTS: usize = 50;
 
 /// A text read as a project.
 #[derive(Debug, Clone)]
-pub struct Parsed {
+pub(crate) struct Parsed {
     /// What it holds.
-    pub project: Project,
+    pub(crate) project: Project,
     /// The text in the current version: the text itself, or a migrated copy.
-    pub text: String,
+    pub(crate) text: String,
     /// The tree of [`Parsed::text`].
-    pub tree: Tree,
+    pub(crate) tree: Tree,
     /// The version of the text, where it is an older one.
-    pub migrated_from: Option<u32>,
+    pub(crate) migrated_from: Option<u32>,
 }
 
 /// Opens a project file.
@@ -55,7 +55,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Opened, LoadError> {
 pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, LoadError> {
     let shown = path.display().to_string();
     let fail = |cause: Cause, said: &str, advice: String| {
-        LoadError::new(&shown, cause, vec![Fault::whole(said, advice)])
+        LoadError::new(&shown, cause, vec![FileFault::whole(said, advice)])
     };
     let io = |e: std::io::Error| match e.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => fail(
@@ -104,7 +104,7 @@ pub(super) fn decode_utf8(bytes: Vec<u8>, shown: &str) -> Result<String, LoadErr
         let problem = Problem::new("", "the file is not UTF-8 text")
             .value(format!("byte {byte:#04x}"))
             .advice("save it as UTF-8 in your editor");
-        let fault = Fault { line: Some(line), column: Some(column), layout: None, problem };
+        let fault = FileFault { line: Some(line), column: Some(column), layout: None, problem };
         LoadError::new(shown, Cause::BadInput, vec![fault])
     })
 }
@@ -113,7 +113,7 @@ pub(super) fn decode_utf8(bytes: Vec<u8>, shown: &str) -> Result<String, LoadErr
 pub(super) fn parse_text(text: &str, shown: &str) -> Result<Parsed, LoadError> {
     if text.trim_start_matches('\u{feff}').trim().is_empty() {
         let advice = "a project starts with (version: 1, name: ...; meshcast new PATH makes one";
-        let fault = Fault::whole("the file is empty", advice.to_string());
+        let fault = FileFault::whole("the file is empty", advice.to_string());
         return Err(LoadError::new(shown, Cause::BadInput, vec![fault]));
     }
     let mut reading = Reading { shown, text: text.to_string(), migrated_from: None };
@@ -161,7 +161,7 @@ impl Reading<'_> {
         let more = found.len().saturating_sub(MOST_FAULTS);
         found.truncate(MOST_FAULTS);
         let faults = found.into_iter().map(|f| {
-            let mut fault = Fault::placed(&self.text, tree, f);
+            let mut fault = FileFault::placed(&self.text, tree, f);
             if let Some(version) = self.migrated_from {
                 fault.problem = migrate::in_old_words(fault.problem, version);
             }

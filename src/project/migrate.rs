@@ -6,7 +6,7 @@
 
 use super::decode::Found;
 use super::patch::Edit;
-use super::text::{Kind, Node, Tree};
+use super::text::{Node, NodeKind, Tree};
 use super::write::{self, Scale};
 use crate::problem::Problem;
 
@@ -18,7 +18,7 @@ const RENAMED_IN_1: &[(&str, &str)] =
 ///
 /// # Errors
 /// What stands in the way, at its place in the old text.
-pub fn to_current(text: &str, tree: &Tree, version: u32) -> Result<String, Vec<Found>> {
+pub(crate) fn to_current(text: &str, tree: &Tree, version: u32) -> Result<String, Vec<Found>> {
     let mut edits = Vec::new();
     let mut found = Vec::new();
     if version == 0 {
@@ -28,7 +28,7 @@ pub fn to_current(text: &str, tree: &Tree, version: u32) -> Result<String, Vec<F
 }
 
 /// A problem of the migrated text in the words of the file's own version.
-pub fn in_old_words(mut problem: Problem, version: u32) -> Problem {
+pub(crate) fn in_old_words(mut problem: Problem, version: u32) -> Problem {
     if version != 0 {
         return problem;
     }
@@ -75,10 +75,10 @@ fn from_0(root: &Node, edits: &mut Vec<Edit>, found: &mut Vec<Found>) {
 /// A force without a unit, which is in newtons, for a file in which it would be kilonewtons.
 fn newtons(value: &Node) -> Option<Edit> {
     match &value.kind {
-        Kind::Number(newton) if newton.is_finite() => {
+        NodeKind::Number(newton) if newton.is_finite() => {
             Some((value.span, write::number(*newton, Scale::Force)))
         }
-        Kind::Text(bare) if bare.trim().parse::<f64>().is_ok() => {
+        NodeKind::Text(bare) if bare.trim().parse::<f64>().is_ok() => {
             Some((value.span, format!("\"{} N\"", bare.trim())))
         }
         // Text with a unit means the same in both; anything else is reported when it is read.

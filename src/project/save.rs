@@ -193,7 +193,7 @@ pub fn create(path: &Path, text: &str) -> Result<(), SaveError> {
 ///
 /// # Errors
 /// [`SaveError::Exists`] if there is such a file and `overwrite` is no, or what the system said.
-pub fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), SaveError> {
+pub(crate) fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), SaveError> {
     let target = resolve(path)?;
     if current_text(&target)?.is_some() && overwrite == Overwrite::No {
         return Err(SaveError::Exists(path.to_path_buf()));
@@ -203,7 +203,7 @@ pub fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), S
 }
 
 /// Whether two paths lead to one file that is there.
-pub fn same_file(a: &Path, b: &Path) -> bool {
+pub(crate) fn same_file(a: &Path, b: &Path) -> bool {
     match (a.canonicalize(), b.canonicalize()) {
         (Ok(a), Ok(b)) => a == b,
         _ => false,

@@ -2,13 +2,13 @@
 
 use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{self, MeshType, catalogue};
-use crate::study::verdict::Verdict;
+use crate::study::result::CheckResult;
 use crate::units::LengthUnit;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The format that this program writes. Version 0 is still read, see [`super::migrate`].
-pub const CURRENT_VERSION: u32 = 1;
+pub(crate) const CURRENT_VERSION: u32 = 1;
 
 /// A project: a site's layouts and the meshes they use.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ pub enum MeshUse {
 
 impl MeshUse {
     /// Identifier of the mesh, by which layouts name it.
-    pub fn id(&self) -> &str {
+    pub(crate) fn id(&self) -> &str {
         match self {
             MeshUse::Catalogue(id) => id,
             MeshUse::Inline(mesh) => &mesh.id,
@@ -93,26 +93,26 @@ pub struct NamedLayout {
     /// Free text; may be empty.
     pub note: String,
     /// The last check that the user asked for, whether or not its inputs are still the layout's.
-    pub check: Option<Arc<Verdict>>,
+    pub check: Option<Arc<CheckResult>>,
 }
 
 /// Most layouts whose curves are overlaid.
-pub const MOST_OVERLAYS: usize = 4;
+pub(crate) const MOST_OVERLAYS: usize = 4;
 /// Most layouts in a project.
-pub const MOST_LAYOUTS: usize = 1000;
+pub(crate) const MOST_LAYOUTS: usize = 1000;
 /// Most mesh types in a project.
-pub const MOST_MESHES: usize = 100;
+pub(crate) const MOST_MESHES: usize = 100;
 /// Longest name of a project, site or layout, in characters.
-pub const LONGEST_NAME: usize = 60;
+pub(crate) const LONGEST_NAME: usize = 60;
 /// Smallest and largest partial factor.
-pub const FACTOR_RANGE: (f64, f64) = (0.5, 5.0);
+pub(crate) const FACTOR_RANGE: (f64, f64) = (0.5, 5.0);
 /// Largest design force, N.
-pub const LARGEST_DESIGN_FORCE: f64 = 1.0e7;
+pub(crate) const LARGEST_DESIGN_FORCE: f64 = 1.0e7;
 /// Largest allowable deflection, m.
-pub const LARGEST_DEFLECTION: f64 = 10.0;
+pub(crate) const LARGEST_DEFLECTION: f64 = 10.0;
 
 /// A number for a new layout's [`uid`](NamedLayout::uid), never given out before in this process.
-pub fn fresh_uid() -> u64 {
+pub(crate) fn fresh_uid() -> u64 {
     // Shared by the whole process on purpose: a number taken from a project's state would come back
     // after an undo and hand one layout's comments to another.
     static NEXT: AtomicU64 = AtomicU64::new(1);
@@ -169,15 +169,6 @@ impl NamedLayout {
         }
     }
 
-    /// Sets the geometry.
-    pub fn set_layout(&mut self, layout: Layout) {
-        self.plate = layout.plate;
-        self.spacing = layout.spacing;
-        self.punch = layout.punch;
-        self.ex = layout.ex;
-        self.ey = layout.ey;
-    }
-
     /// The same layout under another name, as a layout of its own: a fresh uid, no overlay.
     pub fn duplicate(&self, name: impl Into<String>) -> Self {
         NamedLayout { uid: fresh_uid(), name: name.into(), overlay: false, ..self.clone() }
@@ -199,7 +190,7 @@ impl Project {
     }
 
     /// Identifier of the mesh of a layout that names none: the project's first, or the reference mesh.
-    pub fn default_mesh(&self) -> &str {
+    pub(crate) fn default_mesh(&self) -> &str {
         self.meshes.first().map_or(mesh::REFERENCE_ID, MeshUse::id)
     }
 
@@ -209,7 +200,7 @@ impl Project {
     }
 
     /// The mesh of this identifier: one written out in the project, or else one of the catalogue.
-    pub fn find_mesh(&self, id: &str) -> Option<Arc<MeshType>> {
+    pub(crate) fn find_mesh(&self, id: &str) -> Option<Arc<MeshType>> {
         let inline = self.meshes.iter().find_map(|m| match m {
             MeshUse::Inline(mesh) if mesh.id == id => Some(mesh.clone()),
             _ => None,
@@ -218,7 +209,7 @@ impl Project {
     }
 
     /// Every mesh that a layout can name: those of the project first, then the rest of the catalogue.
-    pub fn available_meshes(&self) -> Vec<Arc<MeshType>> {
+    pub(crate) fn available_meshes(&self) -> Vec<Arc<MeshType>> {
         let mut list: Vec<Arc<MeshType>> =
             self.meshes.iter().filter_map(|m| self.find_mesh(m.id())).collect();
         for mesh in catalogue::all() {

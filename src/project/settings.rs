@@ -1,14 +1,14 @@
 //! The file of settings: a flat list of names, each with one word, such as `fidelity: quick`. Which
-//! names and words there are is for the caller to say ([`Known`]); here is how the file is read,
+//! names and words there are is for the caller to say ([`KnownSettings`]); here is how the file is read,
 //! changed and kept. Comments and order of a file stay; a file that cannot be read is never replaced,
 //! but put aside.
 
 use super::decode::Found;
-use super::error::{Cause, Fault, LoadError};
+use super::error::{Cause, FileFault, LoadError};
 use super::home::Home;
 use super::load;
 use super::save::{resolve, write_atomically};
-use super::text::{Kind, Shape, Tree, parser};
+use super::text::{NodeKind, Shape, Tree, parser};
 use super::words;
 use crate::problem::Problem;
 use std::fs;
@@ -17,25 +17,29 @@ use std::path::PathBuf;
 
 /// A setting that the file may hold.
 #[derive(Debug, Clone)]
-pub struct Known {
+pub(crate) struct KnownSettings {
     /// Its name.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// What it may be, for messages and comments.
-    pub allowed: String,
+    pub(crate) allowed: String,
     /// What it is, for the comment in a new file.
-    pub about: &'static str,
+    pub(crate) about: &'static str,
     /// Whether a word is one of its values.
-    pub takes: fn(&str) -> bool,
+    pub(crate) takes: fn(&str) -> bool,
 }
 
 /// Names and words, as the file has them.
-pub type Words = Vec<(String, String)>;
+pub(crate) type SettingWords = Vec<(String, String)>;
 
 /// Reads a text; `shown` names the file in messages.
 ///
 /// # Errors
 /// All that is wrong, each at its line with what is allowed there.
-pub fn read(text: &str, shown: &str, known: &[Known]) -> Result<Words, LoadError> {
+pub(crate) fn read(
+    text: &str,
+    shown: &str,
+    known: &[KnownSettings],
+) -> Result<SettingWords, LoadError> {
     let (tree, words, found) = decode(text, known)
         .map_err(|found| LoadError::new(shown, Cause::BadInput, vec![placed(text, None, found)]))?;
     if found.is_empty() {
@@ -45,22 +49,22 @@ pub fn read(text: &str, shown: &str, known: &[Known]) -> Result<Words, LoadError
     Err(LoadError::new(shown, Cause::BadInput, faults))
 }
 
-fn placed(text: &str, tree: Option<&Tree>, found: Found) -> Fault {
-    Fault::placed(text, tree, found)
+fn placed(text: &str, tree: Option<&Tree>, found: Found) -> FileFault {
+    FileFault::placed(text, tree, found)
 }
 
 /// The text as a tree, its words, and what is wrong with them.
-fn decode(text: &str, known: &[Known]) -> Result<(Tree, Words, Vec<Found>), Found> {
+fn decode(text: &str, known: &[KnownSettings]) -> Result<(Tree, SettingWords, Vec<Found>), Found> {
     let tree = parser::parse(text).map_err(|e| Found { at: Some(e.at), problem: e.problem })?;
     let group = match &tree.root.kind {
-        Kind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty() => g,
+        NodeKind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty() => g,
         _ => {
             let said = "settings are names and words in round brackets: (fidelity: quick)";
             return Err(Found::new(tree.root.span.start, Problem::new("", said)));
         }
     };
     let names: Vec<&str> = known.iter().map(|k| k.name).collect();
-    let (mut read, mut found): (Words, Vec<Found>) = (Vec::new(), Vec::new());
+    let (mut read, mut found): (SettingWords, Vec<Found>) = (Vec::new(), Vec::new());
     for entry in &group.entries {
         let Some((key, span)) = &entry.key else { continue };
         let node = entry.value.unwrapped();
@@ -74,7 +78,7 @@ fn decode(text: &str, known: &[Known]) -> Result<(Tree, Words, Vec<Found>), Foun
             continue;
         }
         let word = match &node.kind {
-            Kind::Text(word) => word.clone(),
+            NodeKind::Text(word) => word.clone(),
             _ => written.to_string(),
         };
         if !(setting.takes)(&word) {
@@ -89,7 +93,7 @@ fn decode(text: &str, known: &[Known]) -> Result<(Tree, Words, Vec<Found>), Foun
 }
 
 /// A text with other words: the old one with nothing but the changes made, or a new one.
-fn render(old: Option<&str>, wanted: &[(&str, String)], known: &[Known]) -> String {
+fn render(old: Option<&str>, wanted: &[(&str, String)], known: &[KnownSettings]) -> String {
     let Some(old) = old else { return fresh(wanted, known) };
     let Ok((tree, read, found)) = decode(old, known) else { return fresh(wanted, known) };
     if !found.is_empty() {
@@ -117,11 +121,11 @@ fn render(old: Option<&str>, wanted: &[(&str, String)], known: &[Known]) -> Stri
     if good { text } else { fresh(wanted, known) }
 }
 
-fn read_as(text: &str, known: &[Known]) -> Option<Words> {
+fn read_as(text: &str, known: &[KnownSettings]) -> Option<SettingWords> {
     decode(text, known).ok().filter(|(.., found)| found.is_empty()).map(|(_, words, _)| words)
 }
 
-fn fresh(wanted: &[(&str, String)], known: &[Known]) -> String {
+fn fresh(wanted: &[(&str, String)], known: &[KnownSettings]) -> String {
     let mut out = "// Settings of meshcast; :set in the program changes them too.\n(\n".to_string();
     for (name, word) in wanted {
         if let Some(k) = known.iter().find(|k| k.name == *name) {
@@ -135,7 +139,7 @@ fn fresh(wanted: &[(&str, String)], known: &[Known]) -> String {
 
 impl LoadError {
     /// The first thing wrong in one line: file, line, field, what is allowed.
-    pub fn in_one_line(&self) -> String {
+    pub(crate) fn in_one_line(&self) -> String {
         let name = self.file.rsplit(['/', '\\']).next().unwrap_or(&self.file);
         let Some(fault) = self.faults.first() else { return format!("{name} cannot be read") };
         let p = &fault.problem;
@@ -159,7 +163,10 @@ impl Home {
     ///
     /// # Errors
     /// All that is wrong with it.
-    pub fn settings(&self, known: &[Known]) -> Result<Option<Words>, LoadError> {
+    pub(crate) fn settings(
+        &self,
+        known: &[KnownSettings],
+    ) -> Result<Option<SettingWords>, LoadError> {
         let Some(path) = self.settings_file() else { return Ok(None) };
         let shown = path.display().to_string();
         match load::read_bytes(&path) {
@@ -174,10 +181,10 @@ impl Home {
     ///
     /// # Errors
     /// What the system said.
-    pub fn keep_settings(
+    pub(crate) fn keep_settings(
         &self,
         wanted: &[(&str, String)],
-        known: &[Known],
+        known: &[KnownSettings],
     ) -> io::Result<Option<PathBuf>> {
         let Some(path) = self.settings_file() else { return Ok(None) };
         // A link to the file, as people with dotfiles have, stays a link.
@@ -208,12 +215,22 @@ impl Home {
 mod tests {
     use super::*;
 
-    fn known() -> Vec<Known> {
+    fn known() -> Vec<KnownSettings> {
         let word = |w: &str| ["quick", "fine"].contains(&w);
         let number = |w: &str| w == "auto" || w.parse::<u32>().is_ok();
         vec![
-            Known { name: "speed", allowed: "quick, fine".into(), about: "how fast", takes: word },
-            Known { name: "runs", allowed: "auto or a number".into(), about: "n", takes: number },
+            KnownSettings {
+                name: "speed",
+                allowed: "quick, fine".into(),
+                about: "how fast",
+                takes: word,
+            },
+            KnownSettings {
+                name: "runs",
+                allowed: "auto or a number".into(),
+                about: "n",
+                takes: number,
+            },
         ]
     }
 

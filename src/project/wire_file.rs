@@ -2,7 +2,7 @@
 //! of a mesh type as the whole of a RON file. `projects/wire/dt-8x10-2.7.ron` is one.
 
 use super::decode::Found;
-use super::error::{Cause, Fault, LoadError};
+use super::error::{Cause, FileFault, LoadError};
 use super::inline_mesh;
 use super::load::{decode_utf8, read_bytes};
 use super::text::{Tree, parser};
@@ -14,12 +14,12 @@ use std::path::Path;
 ///
 /// # Errors
 /// All that is wrong, with line and field, as a message that fits one screen.
-pub fn load_wire(path: &Path) -> Result<WireData, LoadError> {
+pub(crate) fn load_wire(path: &Path) -> Result<WireData, LoadError> {
     let shown = path.display().to_string();
     let bytes = read_bytes(path).map_err(|mut error| {
         if error.cause == Cause::NotFound {
             let advice = "meshcast calibrate --out FILE.ron writes one to start from".to_string();
-            error.faults = vec![Fault::whole("there is no such file", advice)];
+            error.faults = vec![FileFault::whole("there is no such file", advice)];
         }
         error
     })?;
@@ -29,12 +29,12 @@ pub fn load_wire(path: &Path) -> Result<WireData, LoadError> {
 /// Reads wire data from a text; `shown` is the file's name for messages.
 fn parse_wire(text: &str, shown: &str) -> Result<WireData, LoadError> {
     let refuse = |found: Vec<Found>, tree: Option<&Tree>| {
-        let faults = found.into_iter().map(|f| Fault::placed(text, tree, f)).collect();
+        let faults = found.into_iter().map(|f| FileFault::placed(text, tree, f)).collect();
         LoadError::new(shown, Cause::BadInput, faults)
     };
     if text.trim_start_matches('\u{feff}').trim().is_empty() {
         let advice = "wire data start with (net: (opening: ...".to_string();
-        let fault = Fault::whole("the file is empty", advice);
+        let fault = FileFault::whole("the file is empty", advice);
         return Err(LoadError::new(shown, Cause::BadInput, vec![fault]));
     }
     let tree = parser::parse(text)
@@ -50,7 +50,7 @@ fn parse_wire(text: &str, shown: &str) -> Result<WireData, LoadError> {
 }
 
 /// Wire data as a file, with a comment on top.
-pub fn wire_text(wire: &WireData, comment: &str) -> Option<String> {
+pub(crate) fn wire_text(wire: &WireData, comment: &str) -> Option<String> {
     let head: String = comment.lines().map(|line| format!("// {line}\n")).collect();
     Some(format!("{head}{}\n", inline_mesh::write_wire(wire)?))
 }

@@ -10,7 +10,7 @@ use crate::words::distance;
 const LONGEST_SHOWN: usize = 40;
 
 /// A piece of the file as a message shows it: on one line, without control characters, not too long.
-pub fn shorten(text: &str) -> String {
+pub(crate) fn shorten(text: &str) -> String {
     let mut out = String::new();
     let mut blank = false;
     for c in text.chars() {
@@ -55,7 +55,7 @@ const ALSO_CALLED: &[(&str, &str)] = &[
 ];
 
 /// The known name that was most likely meant, if one is near.
-pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
+pub(crate) fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
     // Words longer than any field name are far enough.
     let lower: String = written.to_lowercase().chars().take(64).collect();
     let itself = known.iter().map(|k| (*k, *k));
@@ -71,7 +71,7 @@ pub fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
 }
 
 /// A field that is not known at its place.
-pub fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
+pub(crate) fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
     let problem =
         Problem::new(path, "there is no field of this name here").allowed(known.join(", "));
     match closest(key, known) {
@@ -81,7 +81,7 @@ pub fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
 }
 
 /// An example of a field's value.
-pub fn example(field: &str) -> &'static str {
+pub(crate) fn example(field: &str) -> &'static str {
     match field {
         "version" => "1",
         "d" => "0.32",
@@ -111,7 +111,7 @@ pub fn example(field: &str) -> &'static str {
 }
 
 /// What a field takes, with its unit.
-pub fn range(field: &str) -> String {
+pub(crate) fn range(field: &str) -> String {
     match field {
         "d" | "D" => "above 0 m, below the spacing L".to_string(),
         "L" => format!("above 0, below {LARGEST_LENGTH} m"),
@@ -124,7 +124,7 @@ pub fn range(field: &str) -> String {
 }
 
 /// What a quantity looks like in a file.
-pub fn quantity(quantity: Quantity) -> &'static str {
+pub(crate) fn quantity(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Length => "a length, a number in m or a text such as \"250 mm\",",
         Quantity::Force => "a force, a number in kN or a text such as \"73.3 kN\",",

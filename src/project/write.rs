@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 /// What a number in a file is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub(crate) enum Scale {
     /// Metres.
     Length,
     /// Kilonewtons in the file, newtons in memory.
@@ -20,7 +20,7 @@ pub enum Scale {
 }
 
 /// A number as the file holds it: the shortest text that is read back as exactly this value.
-pub fn number(si: f64, scale: Scale) -> String {
+pub(crate) fn number(si: f64, scale: Scale) -> String {
     let back = |text: &str| -> Option<f64> {
         let v: f64 = text.parse().ok()?;
         Some(if scale == Scale::Force { from_kn(v) } else { v })
@@ -36,7 +36,7 @@ pub fn number(si: f64, scale: Scale) -> String {
 }
 
 /// A number in a unit that the user chose, if it is read back as exactly this value.
-pub fn number_with_unit(si: f64, quantity: Quantity, unit: &str) -> Option<String> {
+pub(crate) fn number_with_unit(si: f64, quantity: Quantity, unit: &str) -> Option<String> {
     let per_si = match unit {
         "mm" | "MM" => 1000.0,
         "cm" => 100.0,
@@ -107,7 +107,7 @@ pub fn project(p: &Project) -> String {
 }
 
 /// An item of `meshes`, `indent` steps of four blanks in.
-pub fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
+pub(crate) fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
     match mesh {
         MeshUse::Catalogue(id) => quoted(id, false),
         // A mesh that cannot be written comes out as its identifier; the text is read back before
@@ -120,7 +120,7 @@ pub fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
 
 /// An item of `layouts`, one field a line: its opening bracket stands where it is put, the other
 /// lines begin with `indent`, and `newline` ends them.
-pub fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) -> String {
+pub(crate) fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) -> String {
     let fields: String = layout_fields(l, default_mesh)
         .map(|field| format!("{newline}{indent}    {field},"))
         .collect();
@@ -128,7 +128,7 @@ pub fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) 
 }
 
 /// An item of `layouts` on one line.
-pub fn layout_on_one_line(l: &NamedLayout, default_mesh: &str) -> String {
+pub(crate) fn layout_on_one_line(l: &NamedLayout, default_mesh: &str) -> String {
     let fields: Vec<String> = layout_fields(l, default_mesh).collect();
     format!("({})", fields.join(", "))
 }
@@ -140,7 +140,7 @@ fn layout_fields(l: &NamedLayout, default_mesh: &str) -> impl Iterator<Item = St
 }
 
 /// The text of a layout's field; nothing where it may be left out because it has its default.
-pub fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<String> {
+pub(crate) fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<String> {
     let length = |v: f64| number(v, Scale::Length);
     let unless_default =
         |v: f64, default: f64, scale: Scale| (v != default).then(|| number(v, scale));
@@ -159,7 +159,7 @@ pub fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<
         "gamma_load" => unless_default(l.gamma_load, 1.0, Scale::Number),
         "overlay" => l.overlay.then(|| "true".to_string()),
         "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),
-        "check" => l.check.as_ref().map(|verdict| kept::write(verdict)),
+        "check" => l.check.as_ref().map(|result| kept::write(result)),
         _ => None,
     }
 }

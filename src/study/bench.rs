@@ -6,7 +6,7 @@ use crate::dem::inertia::StepFactors;
 use crate::dem::plain::{Damping, Inertia, Plain};
 use crate::dem::run::drive;
 use crate::dem::{
-    Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, Scene, SceneSpec, Stop, Test, check,
+    Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test, check,
 };
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
@@ -14,7 +14,7 @@ use crate::problem::Problem;
 use serde::Serialize;
 
 /// The bench scenes by name.
-pub const SCENES: [&str; 4] = ["A", "B", "C", "A'"];
+pub(crate) const SCENES: [&str; 4] = ["A", "B", "C", "A'"];
 
 /// A bench scene: A anchored L = 3 m, B laboratory L = 3 m, C anchored and eccentric L = 4 m, all with
 /// the bench law; A' is A with the reference law and one seed.
@@ -32,17 +32,17 @@ pub fn scene(name: &str) -> Option<SceneSpec> {
 
 /// Errors of a run against a reference, as parts of 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Errors {
+pub(crate) struct Errors {
     /// Force at the first break.
-    pub force: f64,
+    pub(crate) force: f64,
     /// Deflection at the first break.
-    pub deflection: f64,
+    pub(crate) deflection: f64,
     /// Largest difference of the curves up to the first break, over the reference's force there.
-    pub curve: f64,
+    pub(crate) curve: f64,
 }
 
 /// Errors of `outcome` against `reference`; nothing if one of them has no first break.
-pub fn errors(outcome: &Outcome, reference: &Outcome) -> Option<Errors> {
+pub(crate) fn errors(outcome: &RunOutcome, reference: &RunOutcome) -> Option<Errors> {
     let (a, b) = (outcome.first_break?, reference.first_break?);
     // Two millimetres off both ends: the last points are means over a part of the break.
     let end = a.deflection.min(b.deflection) - 0.002;
@@ -60,7 +60,7 @@ pub fn errors(outcome: &Outcome, reference: &Outcome) -> Option<Errors> {
 }
 
 /// Force of a curve between its points, N.
-pub fn force_at(outcome: &Outcome, x: f64) -> f64 {
+pub fn force_at(outcome: &RunOutcome, x: f64) -> f64 {
     let (xs, ys) = (&outcome.curve.deflection, &outcome.curve.force);
     if xs.len() < 2 {
         return ys.first().copied().unwrap_or(0.0);
@@ -71,7 +71,7 @@ pub fn force_at(outcome: &Outcome, x: f64) -> f64 {
 
 /// One row of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub struct BenchRow {
     /// Scene.
     pub scene: String,
     /// Fidelity, or `plain`.
@@ -105,18 +105,18 @@ pub struct Row {
 
 /// How well the reference itself is known: the change of its three figures when its speed is halved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Known {
+pub struct KnownError {
     /// Scene.
-    pub scene: String,
+    pub(crate) scene: String,
     /// Changes, %.
     #[serde(rename = "F_pct")]
-    pub force: f64,
+    pub(crate) force: f64,
     /// Changes, %.
     #[serde(rename = "delta_pct")]
-    pub deflection: f64,
+    pub(crate) deflection: f64,
     /// Changes, %.
     #[serde(rename = "curve_pct")]
-    pub curve: f64,
+    pub(crate) curve: f64,
 }
 
 fn controls(fidelity: Fidelity) -> Controls {
@@ -125,11 +125,11 @@ fn controls(fidelity: Fidelity) -> Controls {
 
 /// Who listens to a study of solvers, and may end it early.
 #[derive(Clone, Copy)]
-pub struct Listener<'a> {
+pub(crate) struct Listener<'a> {
     /// Is told what is being run.
-    pub tell: &'a dyn Fn(&str),
+    pub(crate) tell: &'a dyn Fn(&str),
     /// Is asked whether to go on, many times in every run.
-    pub ask: &'a dyn Fn() -> Flow,
+    pub(crate) ask: &'a dyn Fn() -> Flow,
 }
 
 impl Listener<'_> {
@@ -137,11 +137,11 @@ impl Listener<'_> {
     ///
     /// # Errors
     /// What is wrong with the scene or the controls.
-    pub fn check(
+    pub(crate) fn check(
         &self,
         spec: &SceneSpec,
         controls: &Controls,
-    ) -> Result<Option<Outcome>, Vec<Problem>> {
+    ) -> Result<Option<RunOutcome>, Vec<Problem>> {
         let outcome = check(spec, controls, &mut |_| (self.ask)())?;
         Ok((outcome.stop != Stop::Cancelled).then_some(outcome))
     }
@@ -150,13 +150,13 @@ impl Listener<'_> {
     ///
     /// # Errors
     /// What is wrong with the scene or the controls.
-    pub fn timed(
+    pub(crate) fn timed(
         &self,
         spec: &SceneSpec,
         controls: &Controls,
         times: usize,
-    ) -> Result<Option<(Outcome, f64)>, Vec<Problem>> {
-        let mut best: Option<(Outcome, f64)> = None;
+    ) -> Result<Option<(RunOutcome, f64)>, Vec<Problem>> {
+        let mut best: Option<(RunOutcome, f64)> = None;
         for _ in 0..times {
             let start = thread_seconds();
             let Some(outcome) = self.check(spec, controls)? else { return Ok(None) };
@@ -179,7 +179,10 @@ const PLAIN_STEP: f64 = 0.8;
 ///
 /// # Errors
 /// What is wrong with the scene.
-pub fn plain(spec: &SceneSpec, listener: Listener) -> Result<Option<(Outcome, f64)>, Vec<Problem>> {
+pub(crate) fn plain(
+    spec: &SceneSpec,
+    listener: Listener,
+) -> Result<Option<(RunOutcome, f64)>, Vec<Problem>> {
     let start = thread_seconds();
     let scene = Scene::new(spec)?;
     // Gershgorin: the sum over a node's bonds (two wires and a twist) of 2 k is at most 4 m.
@@ -199,20 +202,20 @@ pub fn plain(spec: &SceneSpec, listener: Listener) -> Result<Option<(Outcome, f6
 
 /// The table, how well each scene's reference is known, and whether it was ended early.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Table {
+pub(crate) struct Table {
     /// Rows, scene by scene.
-    pub rows: Vec<Row>,
+    pub(crate) rows: Vec<BenchRow>,
     /// References.
-    pub known: Vec<Known>,
+    pub(crate) known: Vec<KnownError>,
     /// Whether it was ended early, so that something is missing.
-    pub part: bool,
+    pub(crate) part: bool,
 }
 
 /// The table of the scenes named; what is done by then where `listener` ends it early.
 ///
 /// # Errors
 /// A scene that is not known.
-pub fn table(names: &[&str], listener: Listener) -> Result<Table, Vec<Problem>> {
+pub(crate) fn table(names: &[&str], listener: Listener) -> Result<Table, Vec<Problem>> {
     let mut table = Table::default();
     for name in names {
         let Some(spec) = scene(name) else {
@@ -247,7 +250,7 @@ impl Table {
         let half = Controls { speed: Some(travel / 2.0), ..controls(Fidelity::Reference) };
         let Some(better) = listener.check(spec, &half)? else { return Ok(None) };
         let gap = errors(&reference, &better).unwrap_or_default();
-        self.known.push(Known {
+        self.known.push(KnownError {
             scene: name.to_string(),
             force: 100.0 * gap.force,
             deflection: 100.0 * gap.deflection,
@@ -255,10 +258,10 @@ impl Table {
         });
         tell("plain double precision");
         let Some((slow, slow_time)) = plain(spec, listener)? else { return Ok(None) };
-        let mut push = |fidelity: &str, outcome: &Outcome, time: f64| {
+        let mut push = |fidelity: &str, outcome: &RunOutcome, time: f64| {
             let e = errors(outcome, &better).unwrap_or_default();
             let p = outcome.first_break.unwrap_or_default();
-            self.rows.push(Row {
+            self.rows.push(BenchRow {
                 scene: name.to_string(),
                 fidelity: fidelity.to_string(),
                 wall_ms: 1.0e3 * time,

@@ -23,7 +23,7 @@ use crate::problem::Problem;
 
 /// A laboratory punch test to reproduce.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target {
+pub struct FitTarget {
     /// Force at failure, N.
     pub force: f64,
     /// Deflection at failure, m.
@@ -36,7 +36,7 @@ pub struct Target {
 
 /// How a calibration is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
+pub struct FitOptions {
     /// Runs of the laboratory ensemble in each trial.
     pub runs: usize,
     /// Seed of their alignments and slack.
@@ -47,9 +47,9 @@ pub struct Options {
     pub threads: usize,
 }
 
-impl Default for Options {
+impl Default for FitOptions {
     fn default() -> Self {
-        Options { runs: 16, seed: 0, fidelity: Fidelity::Standard, threads: 1 }
+        FitOptions { runs: 16, seed: 0, fidelity: Fidelity::Standard, threads: 1 }
     }
 }
 
@@ -74,9 +74,9 @@ pub struct Fit {
 
 /// Residual at which a fit is good, as a part: below the standard error of the ensemble, and above its
 /// roughness of about 0.1 % (which wire breaks first depends on the scales too).
-pub const CLOSE: f64 = 0.003;
+pub(crate) const CLOSE: f64 = 0.003;
 /// Trials at most.
-pub const TRIALS: usize = 10;
+pub(crate) const TRIALS: usize = 10;
 /// Largest change of a scale in one trial, as a logarithm.
 const STRIDE: f64 = 0.5;
 /// Rules of thumb at the start, found on the reference mesh: change of ln F (first row) and ln delta
@@ -84,7 +84,7 @@ const STRIDE: f64 = 0.5;
 const RULES: [[f64; 2]; 2] = [[1.0, 0.17], [0.0, 0.23]];
 
 /// The starting law under the two scales; its source stays.
-pub fn law(start: &WireData, stress: f64, strain: f64) -> WireData {
+pub(crate) fn law(start: &WireData, stress: f64, strain: f64) -> WireData {
     WireData {
         single: scaled(&start.single, strain, stress),
         double_twist: scaled(&start.double_twist, strain, stress),
@@ -93,7 +93,7 @@ pub fn law(start: &WireData, stress: f64, strain: f64) -> WireData {
 }
 
 /// Scene of the laboratory test of `target` with these wires.
-fn scene(target: &Target, wire: WireData) -> SceneSpec {
+fn scene(target: &FitTarget, wire: WireData) -> SceneSpec {
     // There are no plates in the laboratory; the size only has to fit the panel.
     let plate = 0.1 * target.panel;
     let layout = Layout { plate, spacing: target.panel, punch: target.punch, ex: 0.0, ey: 0.0 };
@@ -101,7 +101,7 @@ fn scene(target: &Target, wire: WireData) -> SceneSpec {
 }
 
 /// Scene of the anchored reference with these wires.
-pub fn anchored_reference(wire: WireData) -> SceneSpec {
+pub(crate) fn anchored_reference(wire: WireData) -> SceneSpec {
     SceneSpec { layout: REFERENCE, test: Test::Anchored, wire, phase: PLAIN_PHASE, seed: 0 }
 }
 
@@ -111,8 +111,8 @@ pub fn anchored_reference(wire: WireData) -> SceneSpec {
 /// What is wrong with the start or the target; a target that no scale reaches.
 pub fn fit(
     start: &WireData,
-    target: &Target,
-    options: &Options,
+    target: &FitTarget,
+    options: &FitOptions,
     progress: &(dyn Fn(usize, EnsembleProgress) -> Flow + Sync),
 ) -> Result<Option<Fit>, Vec<Problem>> {
     let controls = Controls { fidelity: options.fidelity, after_break: 0.0, ..Controls::default() };
@@ -230,8 +230,8 @@ mod tests {
     #[test]
     fn a_test_made_by_the_start_itself_needs_no_scale() {
         let start = laws::reference();
-        let options = Options { runs: 1, fidelity: Fidelity::Quick, ..Options::default() };
-        let mut target = Target { force: 1.0, deflection: 1.0, panel: 1.6, punch: 0.5 };
+        let options = FitOptions { runs: 1, fidelity: Fidelity::Quick, ..FitOptions::default() };
+        let mut target = FitTarget { force: 1.0, deflection: 1.0, panel: 1.6, punch: 0.5 };
         let spec = scene(&target, start.clone());
         let controls =
             Controls { fidelity: Fidelity::Quick, after_break: 0.0, ..Controls::default() };

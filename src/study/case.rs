@@ -13,7 +13,7 @@ use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
-use crate::study::verdict::make::expected_break;
+use crate::study::result::make::expected_break;
 use crate::units::{LengthUnit, shortest, significant, to_kn};
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ pub struct Case {
 
 /// What a case gives.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct CasePoint {
     /// The forecast of the panel; its values are F_a and delta_a.
     pub field: Field,
     /// Answer to the case's design question.
@@ -52,7 +52,7 @@ pub enum NoValue {
 
 impl NoValue {
     /// Stable identifier for programs: `senseless` or, as the forecast's warning, `punch_on_plate`.
-    pub fn code(&self) -> &'static str {
+    pub(crate) fn code(&self) -> &'static str {
         match self {
             NoValue::Senseless(_) => "senseless",
             NoValue::PunchOnPlate => "punch_on_plate",
@@ -60,7 +60,7 @@ impl NoValue {
     }
 
     /// A word or two for a narrow column.
-    pub fn short(&self) -> &'static str {
+    pub(crate) fn short(&self) -> &'static str {
         match self {
             NoValue::Senseless(_) => "no sense",
             NoValue::PunchOnPlate => "on plate",
@@ -69,14 +69,14 @@ impl NoValue {
 }
 
 /// A case's values, or why there are none.
-pub type Outcome = Result<Point, NoValue>;
+pub(crate) type CaseValue = Result<CasePoint, NoValue>;
 
 impl Case {
     /// The forecast of the case.
     ///
     /// # Errors
     /// Every input that makes no sense.
-    pub fn forecast(&self) -> Result<Forecast, Vec<Problem>> {
+    pub(crate) fn forecast(&self) -> Result<Forecast, Vec<Problem>> {
         let lab = Input::ALL.iter().filter(|i| i.is_laboratory());
         let problems: Vec<Problem> = lab.filter_map(|i| i.problem(i.value(self))).collect();
         if problems.is_empty() {
@@ -90,15 +90,15 @@ impl Case {
     ///
     /// # Errors
     /// Why there are none.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CaseValue {
         let forecast = self.forecast().map_err(NoValue::Senseless)?;
         let field = forecast.field.ok_or(NoValue::PunchOnPlate)?;
         let answer = answer(&field, &self.question);
-        Ok(Point { field, answer, warnings: forecast.warnings })
+        Ok(CasePoint { field, answer, warnings: forecast.warnings })
     }
 
     /// Deflection at which its check is expected to break until a run has told, m.
-    pub fn expected_break(&self) -> f64 {
+    pub(crate) fn expected_break(&self) -> f64 {
         expected_break(&self.layout, self.outcome().ok().map(|point| point.values()))
     }
 
@@ -110,14 +110,14 @@ impl Case {
     }
 
     /// The fingerprint of its inputs: that of its forecast.
-    pub fn fingerprint(&self) -> Fingerprint {
+    pub(crate) fn fingerprint(&self) -> Fingerprint {
         of_inputs(&self.layout, &self.mesh, self.rule, &self.question)
     }
 }
 
-impl Point {
+impl CasePoint {
     /// F_a and delta_a.
-    pub fn values(&self) -> Values {
+    pub(crate) fn values(&self) -> Values {
         self.field.values
     }
 
@@ -127,12 +127,12 @@ impl Point {
     }
 
     /// The branch of Eqs. A.1-A.2 that was used.
-    pub fn branch(&self) -> Branch {
+    pub(crate) fn branch(&self) -> Branch {
         self.field.branch
     }
 
     /// Whether there is something to know that weighs more than a note.
-    pub fn doubtful(&self) -> bool {
+    pub(crate) fn doubtful(&self) -> bool {
         self.warnings.iter().any(|w| w.weight() >= Weight::Caution)
     }
 }
@@ -188,7 +188,7 @@ impl Input {
     }
 
     /// The paper's symbol: `F_l*` for the laboratory force.
-    pub fn symbol(self) -> &'static str {
+    pub(crate) fn symbol(self) -> &'static str {
         match self {
             Input::LabForce => "F_l*",
             Input::LabDeflection => "delta_l*",
@@ -197,7 +197,7 @@ impl Input {
     }
 
     /// The name in JSON and CSV, with its unit: `L_m`, `F_l_kN`.
-    pub fn column(self) -> &'static str {
+    pub(crate) fn column(self) -> &'static str {
         match self {
             Input::Plate => "d_m",
             Input::Spacing => "L_m",
@@ -210,22 +210,22 @@ impl Input {
     }
 
     /// Whether it is a force; all others are lengths.
-    pub fn is_force(self) -> bool {
+    pub(crate) fn is_force(self) -> bool {
         self == Input::LabForce
     }
 
     /// Whether it belongs to the mesh's laboratory test and not to the layout.
-    pub fn is_laboratory(self) -> bool {
+    pub(crate) fn is_laboratory(self) -> bool {
         matches!(self, Input::LabForce | Input::LabDeflection)
     }
 
     /// Whether it is an offset of the punch.
-    pub fn is_offset(self) -> bool {
+    pub(crate) fn is_offset(self) -> bool {
         matches!(self, Input::OffsetX | Input::OffsetY)
     }
 
     /// The range in which the paper's relations were made, where it gives one.
-    pub fn published_range(self) -> Option<PublishedRange> {
+    pub(crate) fn published_range(self) -> Option<PublishedRange> {
         match self {
             Input::Plate => Some(PLATE),
             Input::Spacing => Some(SPACING),
@@ -235,7 +235,7 @@ impl Input {
     }
 
     /// Its value in a case, SI. The laboratory values are the standard ones, F_l* and delta_l*.
-    pub fn value(self, case: &Case) -> f64 {
+    pub(crate) fn value(self, case: &Case) -> f64 {
         match self {
             Input::Plate => case.layout.plate,
             Input::Spacing => case.layout.spacing,
@@ -249,7 +249,7 @@ impl Input {
 
     /// Sets it in a case, SI. A laboratory value is set as the standard one; the mesh's record keeps
     /// its panel and is made to give that value.
-    pub fn set(self, case: &mut Case, value: f64) {
+    pub(crate) fn set(self, case: &mut Case, value: f64) {
         match self {
             Input::Plate => case.layout.plate = value,
             Input::Spacing => case.layout.spacing = value,
@@ -272,7 +272,7 @@ impl Input {
     }
 
     /// What is wrong with a value of this input whatever the others are; the field is its word.
-    pub fn problem(self, value: f64) -> Option<Problem> {
+    pub(crate) fn problem(self, value: f64) -> Option<Problem> {
         use crate::layout::LARGEST_LENGTH;
         let (good, allowed) = match self {
             Input::Plate | Input::Spacing | Input::Punch => {
@@ -297,7 +297,7 @@ impl Input {
     }
 
     /// A value as a person writes it, with its unit: `2.5 m`, `73.3 kN`.
-    pub fn text(self, value: f64) -> String {
+    pub(crate) fn text(self, value: f64) -> String {
         if !value.is_finite() {
             value.to_string()
         } else if self.is_force() {
@@ -310,7 +310,7 @@ impl Input {
 
 /// A value of a study's input in the unit shown, without its sign: lengths at a tenth of a millimetre,
 /// forces at four digits.
-pub fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
+pub(crate) fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
     if input.is_force() {
         return significant(to_kn(value), 4);
     }
@@ -329,7 +329,7 @@ pub fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
 }
 
 /// The sign of the unit in which an input is shown.
-pub fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
+pub(crate) fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
     if input.is_force() { "kN" } else { unit.symbol() }
 }
 

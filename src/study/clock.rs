@@ -16,7 +16,7 @@ pub fn thread_seconds() -> f64 {
 }
 
 /// Seconds since the first call of a clock.
-pub fn wall_seconds() -> f64 {
+pub(crate) fn wall_seconds() -> f64 {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     START.get_or_init(Instant::now).elapsed().as_secs_f64()
 }

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 
 /// One layout of the comparison.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct CompareRow {
     /// Its name.
     pub name: String,
     /// What is forecast.
@@ -21,9 +21,9 @@ pub struct Row {
     pub answer: Option<Answer>,
 }
 
-impl Row {
+impl CompareRow {
     /// F_a and delta_a, or why there are none.
-    pub fn values(&self) -> Result<Values, NoValue> {
+    pub(crate) fn values(&self) -> Result<Values, NoValue> {
         match &self.forecast {
             Ok(f) => f.field.map(|field| field.values).ok_or(NoValue::PunchOnPlate),
             Err(problems) => Err(NoValue::Senseless(problems.clone())),
@@ -31,12 +31,12 @@ impl Row {
     }
 
     /// Utilisation, where a design force is set.
-    pub fn utilisation(&self) -> Option<f64> {
+    pub(crate) fn utilisation(&self) -> Option<f64> {
         self.answer?.at_force.map(|at| at.utilisation)
     }
 
     /// The heaviest of its warnings; inputs that make no sense are outside.
-    pub fn weight(&self) -> Option<Weight> {
+    pub(crate) fn weight(&self) -> Option<Weight> {
         match &self.forecast {
             Ok(f) => f.warnings.iter().map(|w| w.weight()).max(),
             Err(_) => Some(Weight::Outside),
@@ -100,7 +100,7 @@ pub enum Column {
 
 impl Column {
     /// All of them, in the order of the table.
-    pub const ALL: [Column; 14] = [
+    pub(crate) const ALL: [Column; 14] = [
         Column::Name,
         Column::Mesh,
         Column::Plate,
@@ -118,7 +118,7 @@ impl Column {
     ];
 
     /// The word by which it is named in commands.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Column::Name => "layout",
             Column::Mesh => "mesh",
@@ -142,29 +142,29 @@ impl Column {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
     /// Its place among the rows.
-    pub row: usize,
+    pub(crate) row: usize,
     /// Its utilisation, the highest; nothing where no layout has a design force, and then its force is
     /// the lowest.
-    pub utilisation: Option<f64>,
+    pub(crate) utilisation: Option<f64>,
 }
 
 /// The layouts of a project side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// One for each layout, in the project's order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<CompareRow>,
     /// The governing one; nothing where none has a value.
     pub governing: Option<Governing>,
 }
 
 /// Compares named cases.
-pub fn compare(cases: impl IntoIterator<Item = (String, Case)>) -> Comparison {
-    let rows: Vec<Row> = cases
+pub(crate) fn compare(cases: impl IntoIterator<Item = (String, Case)>) -> Comparison {
+    let rows: Vec<CompareRow> = cases
         .into_iter()
         .map(|(name, case)| {
             let forecast = case.forecast();
             let field = forecast.as_ref().ok().and_then(|f| f.field);
-            Row { answer: field.map(|f| answer(&f, &case.question)), name, case, forecast }
+            CompareRow { answer: field.map(|f| answer(&f, &case.question)), name, case, forecast }
         })
         .collect();
     let governing = governing(&rows);
@@ -172,7 +172,7 @@ pub fn compare(cases: impl IntoIterator<Item = (String, Case)>) -> Comparison {
 }
 
 /// The highest utilisation, or where no layout has one the lowest force; the first of equals.
-fn governing(rows: &[Row]) -> Option<Governing> {
+fn governing(rows: &[CompareRow]) -> Option<Governing> {
     let numbers = |column: Column| {
         rows.iter().enumerate().filter_map(move |(row, r)| r.number(column).map(|v| (row, v)))
     };
@@ -189,7 +189,7 @@ fn governing(rows: &[Row]) -> Option<Governing> {
 
 impl Comparison {
     /// Fingerprint of all layouts with their names, in the project's order.
-    pub fn fingerprint(&self) -> Fingerprint {
+    pub(crate) fn fingerprint(&self) -> Fingerprint {
         let all = Fingerprinter::new("compare");
         let taken = self
             .rows
@@ -200,7 +200,7 @@ impl Comparison {
 
     /// The rows' places sorted by a column, rising or falling. Rows that have nothing there stand at
     /// the end either way; equal ones keep the project's order.
-    pub fn sorted(&self, column: Column, falling: bool) -> Vec<usize> {
+    pub(crate) fn sorted(&self, column: Column, falling: bool) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.rows.len()).collect();
         let way = |o: Ordering| if falling { o.reverse() } else { o };
         order.sort_by(|a, b| {

@@ -10,7 +10,7 @@ use super::ensemble::{Plan, draw};
 use crate::dem::fast::{Fast, FastOptions, Path};
 use crate::dem::hash::uniform;
 use crate::dem::run::drive;
-use crate::dem::{Controls, Fidelity, Outcome, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
+use crate::dem::{Controls, Fidelity, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
@@ -18,7 +18,7 @@ use serde::Serialize;
 
 /// One row of a table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub(crate) struct ConvergenceRow {
     /// Scene.
     pub scene: String,
     /// Which knob. `speed`: punch travel per step; `step`: step factor at the same punch speed, so with
@@ -45,7 +45,7 @@ pub struct Row {
     pub kinetic_over_internal: f64,
 }
 
-impl Row {
+impl ConvergenceRow {
     /// The worst of the three errors, %.
     fn worst(&self) -> f64 {
         self.force.abs().max(self.deflection.abs()).max(self.curve)
@@ -57,24 +57,24 @@ const KNOWN: f64 = 0.08;
 
 /// How well the error estimates of some runs tell their worst true error.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Relation {
+pub(crate) struct Relation {
     /// Of which runs.
-    pub of: String,
+    pub(crate) of: String,
     /// How many.
-    pub runs: usize,
+    pub(crate) runs: usize,
     /// How many have a worst error within their estimate.
-    pub within: usize,
+    pub(crate) within: usize,
     /// Median of the worst error over the estimate.
-    pub median: f64,
+    pub(crate) median: f64,
     /// 90 % point of it.
-    pub most: f64,
+    pub(crate) most: f64,
     /// Rank correlation of estimates and worst errors (Spearman), -1 to 1.
-    pub rank_correlation: f64,
+    pub(crate) rank_correlation: f64,
 }
 
 impl Relation {
     /// Of pairs of estimate and worst error.
-    pub fn of(of: &str, pairs: &[(f64, f64)]) -> Relation {
+    pub(crate) fn of(of: &str, pairs: &[(f64, f64)]) -> Relation {
         let mut ratios: Vec<f64> = pairs.iter().map(|(e, w)| w / e).collect();
         ratios.sort_by(f64::total_cmp);
         let at = |part: f64| {
@@ -107,13 +107,13 @@ impl Relation {
 
 /// The tables.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Tables {
+pub(crate) struct Tables {
     /// Rows, scene by scene and knob by knob.
-    pub rows: Vec<Row>,
+    pub(crate) rows: Vec<ConvergenceRow>,
     /// Estimates against errors: of the rows of `speed`, and of scenes that nothing was tuned on.
-    pub relations: Vec<Relation>,
+    pub(crate) relations: Vec<Relation>,
     /// Whether it was ended early, so that something is missing.
-    pub part: bool,
+    pub(crate) part: bool,
 }
 
 fn base(fidelity: Fidelity) -> Controls {
@@ -124,7 +124,7 @@ fn base(fidelity: Fidelity) -> Controls {
 ///
 /// # Errors
 /// What is wrong with a scene.
-pub fn tables(names: &[&str], listener: Listener) -> Result<Tables, Vec<Problem>> {
+pub(crate) fn tables(names: &[&str], listener: Listener) -> Result<Tables, Vec<Problem>> {
     let mut tables = Tables::default();
     for name in names {
         let Some(spec) = scene(name) else { continue };
@@ -159,13 +159,13 @@ impl Tables {
         let travel = base(Fidelity::Reference).scheme(&Scene::new(spec)?)?.travel;
         let exact = Controls { speed: Some(travel / 2.0), ..base(Fidelity::Reference) };
         let Some(reference) = listener.check(spec, &exact)? else { return Ok(None) };
-        let mut push = |knob: &str, value: f64, outcome: &Outcome, orders: bool| {
+        let mut push = |knob: &str, value: f64, outcome: &RunOutcome, orders: bool| {
             let Some(e) = errors(outcome, &reference) else { return };
             let curve = 100.0 * e.curve;
             let before = self.rows.last().filter(|r| orders && r.knob == knob && r.scene == name);
             let known = before.filter(|r| r.curve > KNOWN && curve > KNOWN);
             let order = known.map(|r| (r.curve / curve).ln() / (r.value / value).ln());
-            self.rows.push(Row {
+            self.rows.push(ConvergenceRow {
                 scene: name.to_string(),
                 knob: knob.to_string(),
                 value,
@@ -219,7 +219,7 @@ fn with(
     true_unloading: bool,
     travel: f64,
     listener: Listener,
-) -> Result<Option<Outcome>, Vec<Problem>> {
+) -> Result<Option<RunOutcome>, Vec<Problem>> {
     let scene = Scene::new(spec)?;
     let fidelity = if true_unloading { Fidelity::Reference } else { Fidelity::Standard };
     let controls = Controls { speed: Some(travel), ..base(fidelity) };
@@ -269,41 +269,41 @@ fn others(test: Test, listener: Listener) -> Result<Option<Vec<(f64, f64)>>, Vec
 
 /// Cost of one size.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SizeRow {
+pub(crate) struct SizeRow {
     /// `fixed`: punch of 1 m and plates of 0.32 m whatever the panel; `in proportion`: L/3 and 0.107 L.
-    pub punch: String,
+    pub(crate) punch: String,
     /// Side of the panel, m.
     #[serde(rename = "L")]
-    pub spacing: f64,
+    pub(crate) spacing: f64,
     /// Nodes.
-    pub nodes: usize,
+    pub(crate) nodes: usize,
     /// Steps to the first break.
-    pub steps: usize,
+    pub(crate) steps: usize,
     /// Processor time to the first break, set-up included, best of three, ms.
-    pub wall_ms: f64,
+    pub(crate) wall_ms: f64,
     /// Time of a node's step, ns.
-    pub ns_per_node_step: f64,
+    pub(crate) ns_per_node_step: f64,
 }
 
 /// Cost against size.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Sizes {
+pub(crate) struct Sizes {
     /// Rows.
-    pub rows: Vec<SizeRow>,
+    pub(crate) rows: Vec<SizeRow>,
     /// Fitted exponents of nodes of the processor time, punch fixed and in proportion.
-    pub exponents: Vec<f64>,
+    pub(crate) exponents: Vec<f64>,
     /// Whether it was ended early, so that something is missing.
-    pub part: bool,
+    pub(crate) part: bool,
 }
 
 /// Panels of the comparison, m.
-pub const SIZES: [f64; 6] = [2.0, 3.0, 4.0, 6.0, 8.0, 12.0];
+pub(crate) const SIZES: [f64; 6] = [2.0, 3.0, 4.0, 6.0, 8.0, 12.0];
 
 /// Cost of anchored scenes of the bench law against their size, at the standard fidelity.
 ///
 /// # Errors
 /// What is wrong with a scene.
-pub fn sizes(listener: Listener) -> Result<Sizes, Vec<Problem>> {
+pub(crate) fn sizes(listener: Listener) -> Result<Sizes, Vec<Problem>> {
     let mut sizes = Sizes::default();
     for fixed in [true, false] {
         let punch = if fixed { "fixed" } else { "in proportion" };

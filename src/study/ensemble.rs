@@ -8,30 +8,30 @@
 use super::clock;
 use crate::dem::bifurcation;
 use crate::dem::hash::{hash, uniform};
-use crate::dem::{Controls, Flow, Outcome, Progress, SceneSpec, Stop, check};
+use crate::dem::{Controls, Flow, RunOutcome, RunProgress, SceneSpec, Stop, check};
 use crate::problem::Problem;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Runs made at least, where the caller does not say how many.
-pub const LEAST: usize = 8;
+pub(crate) const LEAST: usize = 8;
 /// Runs made at most.
-pub const MOST: usize = 64;
+pub(crate) const MOST: usize = 64;
 /// Standard error of the force, over its mean, at which no more runs are made.
-pub const TARGET: f64 = 0.02;
+pub(crate) const TARGET: f64 = 0.02;
 
 /// How an ensemble is made.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
+pub(crate) struct Plan {
     /// Number of runs; nothing means at least [`LEAST`] and more until the standard error of the
     /// force is below [`TARGET`] or [`MOST`] are done.
-    pub runs: Option<usize>,
+    pub(crate) runs: Option<usize>,
     /// Seed of the ensemble.
-    pub seed: u64,
+    pub(crate) seed: u64,
     /// The same alignment for every run; nothing means a random one for each.
-    pub phase: Option<[f64; 2]>,
+    pub(crate) phase: Option<[f64; 2]>,
     /// Threads, at least 1.
-    pub threads: usize,
+    pub(crate) threads: usize,
 }
 
 impl Default for Plan {
@@ -44,15 +44,15 @@ impl Default for Plan {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
     /// Its seed.
-    pub seed: u64,
+    pub(crate) seed: u64,
     /// Its alignment.
-    pub phase: [f64; 2],
+    pub(crate) phase: [f64; 2],
     /// Its outcome.
-    pub outcome: Outcome,
+    pub(crate) outcome: RunOutcome,
     /// Time on the wall from the start, set-up included, to the first break or the end, s.
-    pub wall: f64,
+    pub(crate) wall: f64,
     /// Processor time of its thread in the same span, s.
-    pub processor: f64,
+    pub(crate) processor: f64,
 }
 
 /// Mean, spread and extremes of a quantity.
@@ -70,7 +70,7 @@ pub struct Spread {
 
 impl Spread {
     /// Of `values`; the band of `banded`, which may hold more.
-    pub fn of(values: &[f64], banded: &[f64]) -> Spread {
+    pub(crate) fn of(values: &[f64], banded: &[f64]) -> Spread {
         let n = values.len() as f64;
         if values.is_empty() {
             return Spread {
@@ -105,38 +105,38 @@ fn quantile(values: &[f64], part: f64) -> f64 {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ensemble {
     /// The runs in order of their number.
-    pub runs: Vec<Run>,
+    pub(crate) runs: Vec<Run>,
     /// Force at the first break, N; slipped runs stand in the band by their peak and not in the mean.
-    pub force: Spread,
+    pub(crate) force: Spread,
     /// Deflection at the first break, m; likewise.
-    pub deflection: Spread,
+    pub(crate) deflection: Spread,
     /// Means of the peaks' force, N, and deflection, m.
-    pub peak: [f64; 2],
+    pub(crate) peak: [f64; 2],
     /// Mean of k75, N/m.
-    pub k75: f64,
+    pub(crate) k75: f64,
     /// How many runs slipped.
-    pub slipped: usize,
+    pub(crate) slipped: usize,
     /// Warnings by their name: `bifurcation`, `diverged`, `cancelled`.
-    pub warnings: Vec<String>,
+    pub(crate) warnings: Vec<String>,
     /// The two places of the bifurcation probe, N, where it was made.
-    pub probe: Option<bifurcation::Probe>,
+    pub(crate) probe: Option<bifurcation::Probe>,
 }
 
 /// How far an ensemble has come.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnsembleProgress {
     /// Runs done.
-    pub done: usize,
+    pub(crate) done: usize,
     /// Runs to be made as far as is known now.
-    pub planned: usize,
+    pub(crate) planned: usize,
     /// Number of the run that speaks.
-    pub run: usize,
+    pub(crate) run: usize,
     /// How far that one has come.
-    pub inner: Progress,
+    pub(crate) inner: RunProgress,
 }
 
 /// Seed and alignment of run `k`.
-pub fn draw(plan: &Plan, k: usize) -> (u64, [f64; 2]) {
+pub(crate) fn draw(plan: &Plan, k: usize) -> (u64, [f64; 2]) {
     let seed = hash(plan.seed, k as u64);
     // Counters far beyond any bond's number, so that slack and alignment are unrelated.
     let phase = plan.phase.unwrap_or([uniform(seed, u64::MAX), uniform(seed, u64::MAX - 1)]);
@@ -149,7 +149,7 @@ pub fn draw(plan: &Plan, k: usize) -> (u64, [f64; 2]) {
 ///
 /// # Errors
 /// What is wrong with the scene or the controls.
-pub fn run(
+pub(crate) fn run(
     spec: &SceneSpec,
     controls: &Controls,
     plan: &Plan,
@@ -163,7 +163,7 @@ pub fn run(
 ///
 /// # Errors
 /// What is wrong with the scene or the controls.
-pub fn run_watched(
+pub(crate) fn run_watched(
     spec: &SceneSpec,
     controls: &Controls,
     plan: &Plan,
@@ -193,7 +193,7 @@ pub fn run_watched(
                 if k >= goal || cancelled.load(Ordering::Relaxed) {
                     return;
                 }
-                let tell = |inner: Progress| {
+                let tell = |inner: RunProgress| {
                     let told = EnsembleProgress { done: k.min(goal), planned: goal, run: k, inner };
                     let stop = cancelled.load(Ordering::Relaxed) || progress(told) == Flow::Cancel;
                     if stop {
@@ -264,7 +264,7 @@ fn single(
     spec: &SceneSpec,
     controls: &Controls,
     (seed, phase): (u64, [f64; 2]),
-    mut tell: impl FnMut(Progress) -> Flow,
+    mut tell: impl FnMut(RunProgress) -> Flow,
 ) -> Result<Run, Vec<Problem>> {
     let spec = SceneSpec { seed, phase, ..spec.clone() };
     let now = || (clock::wall_seconds(), clock::thread_seconds());
@@ -296,10 +296,10 @@ fn enough(runs: &[Option<Run>]) -> Option<usize> {
 }
 
 /// The figures of some runs.
-pub fn summary(runs: Vec<Run>) -> Ensemble {
+pub(crate) fn summary(runs: Vec<Run>) -> Ensemble {
     let mut warnings = Vec::new();
     // A cancelled run's numbers are those of an unfinished test: kept, and not counted.
-    let counted: Vec<&Outcome> = runs
+    let counted: Vec<&RunOutcome> = runs
         .iter()
         .map(|run| &run.outcome)
         .filter(|o| !(o.stop == Stop::Cancelled && o.first_break.is_none()))

@@ -7,7 +7,7 @@ use crate::mesh::wire::{CurvePoint, Slack};
 
 /// Fingerprint of all that decides an ensemble's numbers: scene, controls and plan. The number of
 /// threads and the instruction set decide nothing; where wires come from does neither.
-pub fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) -> Fingerprint {
+pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) -> Fingerprint {
     let (layout, net, d) = (&spec.layout, &spec.wire.net, &spec.wire.distortion);
     let anchored = spec.test == Test::Anchored;
     let mut print = Fingerprinter::new("check")

@@ -14,21 +14,21 @@ use crate::problem::Problem;
 use crate::units::from_kn;
 
 /// The paper's laboratory test: force, N, and deflection, m (section 3).
-pub const LABORATORY: [f64; 2] = [73_300.0, 0.60];
+pub(crate) const LABORATORY: [f64; 2] = [73_300.0, 0.60];
 /// The paper's anchored reference: force, N, and deflection, m (section 4).
-pub const ANCHORED: [f64; 2] = [29_100.0, 0.65];
+pub(crate) const ANCHORED: [f64; 2] = [29_100.0, 0.65];
 /// Its ratios alpha_F and alpha_delta (section 4).
-pub const RATIOS: [f64; 2] = [0.40, 1.08];
+pub(crate) const RATIOS: [f64; 2] = [0.40, 1.08];
 /// Its laboratory stiffness at 75 % of the largest force: panel, m, and stiffness, N/m (section 3).
-pub const K75: [(f64, f64); 3] = [(2.0, 247.0e3), (3.0, 193.0e3), (4.0, 170.0e3)];
+pub(crate) const K75: [(f64, f64); 3] = [(2.0, 247.0e3), (3.0, 193.0e3), (4.0, 170.0e3)];
 /// Panels at which Eqs. 1-2 are compared, m.
-pub const PANELS: [f64; 6] = [2.0, 2.5, 3.0, 3.5, 4.0, 4.5];
+pub(crate) const PANELS: [f64; 6] = [2.0, 2.5, 3.0, 3.5, 4.0, 4.5];
 /// Largest differences aimed at, as parts of the paper's value: force, deflection.
-pub const AIM: [f64; 2] = [0.07, 0.06];
+pub(crate) const AIM: [f64; 2] = [0.07, 0.06];
 /// Largest difference of the normalised curve from Eq. 3 aimed at.
-pub const SHAPE_AIM: f64 = 0.05;
+pub(crate) const SHAPE_AIM: f64 = 0.05;
 /// Standard error aimed at, as a part.
-pub const ERROR_AIM: f64 = 0.02;
+pub(crate) const ERROR_AIM: f64 = 0.02;
 /// Runs of a scene at most.
 const MOST: usize = 400;
 /// Points of a normalised curve.
@@ -36,7 +36,7 @@ const POINTS: usize = 101;
 
 /// What the wire law has seen of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Standing {
+pub(crate) enum PaperStanding {
     /// The law was fitted to it.
     Fitted,
     /// The law's start was chosen by hand with it in view.
@@ -45,20 +45,20 @@ pub enum Standing {
     Predicted,
 }
 
-impl Standing {
+impl PaperStanding {
     /// The word for people: `fitted`, `in view` or `predicted`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
-            Standing::Fitted => "fitted",
-            Standing::InView => "in view",
-            Standing::Predicted => "predicted",
+            PaperStanding::Fitted => "fitted",
+            PaperStanding::InView => "in view",
+            PaperStanding::Predicted => "predicted",
         }
     }
 }
 
 /// What a row is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub(crate) enum PaperQuantity {
     /// Force at the first break, N.
     Force,
     /// Deflection at the first break, m.
@@ -73,11 +73,11 @@ pub enum Quantity {
 
 /// One value of the paper beside ours. SI.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub(crate) struct PaperRow {
     /// The case in words.
     pub case: String,
     /// What is compared.
-    pub quantity: Quantity,
+    pub quantity: PaperQuantity,
     /// The paper's value; 0 of a shape, which is a difference already.
     pub paper: f64,
     /// Our mean.
@@ -89,33 +89,33 @@ pub struct Row {
     /// Mean of the peaks beside a force.
     pub peak: Option<f64>,
     /// What the law has seen of it.
-    pub standing: Standing,
+    pub standing: PaperStanding,
     /// Largest difference aimed at, as a part of the paper's value (of 1 for a shape), if any.
     pub aim: Option<f64>,
     /// Runs in the mean.
     pub runs: usize,
 }
 
-impl Row {
+impl PaperRow {
     /// Ours less the paper's, as a part of the paper's; the value itself of a shape.
-    pub fn difference(&self) -> f64 {
-        if self.quantity == Quantity::Shape { self.ours } else { self.ours / self.paper - 1.0 }
+    pub(crate) fn difference(&self) -> f64 {
+        if self.quantity == PaperQuantity::Shape { self.ours } else { self.ours / self.paper - 1.0 }
     }
 
     /// Whether the difference is within what is aimed at.
-    pub fn hit(&self) -> bool {
+    pub(crate) fn hit(&self) -> bool {
         self.aim.is_none_or(|aim| self.difference().abs() <= aim)
     }
 
     /// Whether the mean is known as well as is aimed at.
-    pub fn known(&self) -> bool {
-        self.quantity == Quantity::Shape || self.error <= ERROR_AIM * self.ours.abs()
+    pub(crate) fn known(&self) -> bool {
+        self.quantity == PaperQuantity::Shape || self.error <= ERROR_AIM * self.ours.abs()
     }
 }
 
 /// How the comparison is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
+pub(crate) struct PaperOptions {
     /// How exactly each run is computed.
     pub fidelity: Fidelity,
     /// Seed of the alignments and slack.
@@ -126,7 +126,7 @@ pub struct Options {
 
 /// What is told on the way: the scene by its words, its number, how many there are, its first guess
 /// of the deflection at failure, m, and the ensemble's progress.
-pub type Tell<'a> = dyn Fn(&str, usize, usize, f64, EnsembleProgress) -> Flow + Sync + 'a;
+pub(crate) type Tell<'a> = dyn Fn(&str, usize, usize, f64, EnsembleProgress) -> Flow + Sync + 'a;
 
 /// A scene of the paper.
 struct Case {
@@ -166,11 +166,11 @@ fn cases() -> Vec<Case> {
 ///
 /// # Errors
 /// What is wrong with the wires.
-pub fn compare(
+pub(crate) fn compare(
     wire: &WireData,
-    options: &Options,
+    options: &PaperOptions,
     tell: &Tell,
-) -> Result<Option<Vec<Row>>, Vec<Problem>> {
+) -> Result<Option<Vec<PaperRow>>, Vec<Problem>> {
     let cases = cases();
     let mut made = Vec::new();
     for (number, case) in cases.iter().enumerate() {
@@ -185,7 +185,7 @@ pub fn compare(
 fn scene(
     case: &Case,
     wire: &WireData,
-    options: &Options,
+    options: &PaperOptions,
     tell: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
 ) -> Result<Option<Ensemble>, Vec<Problem>> {
     let spec = SceneSpec {
@@ -213,28 +213,28 @@ fn scene(
 }
 
 /// The rows of the ensembles of [`cases`], in their order.
-fn rows(made: &[Ensemble]) -> Vec<Row> {
+fn rows(made: &[Ensemble]) -> Vec<PaperRow> {
     let (panels, anchored) = made.split_at(PANELS.len());
     let standard = PANELS.iter().position(|p| *p == 3.0).unwrap_or(0);
     let (lab, reference, tests) = (&panels[standard], &anchored[0], &anchored[1..]);
     let mut list = Vec::new();
-    list.extend(pair("laboratory, L = 3, D = 1", LABORATORY, lab, Standing::Fitted));
-    list.extend(pair("anchored reference", ANCHORED, reference, Standing::InView));
+    list.extend(pair("laboratory, L = 3, D = 1", LABORATORY, lab, PaperStanding::Fitted));
+    list.extend(pair("anchored reference", ANCHORED, reference, PaperStanding::InView));
     for (case, paper, ours, base, aim) in [
         ("alpha_F", RATIOS[0], &reference.force, &lab.force, AIM[0]),
         ("alpha_delta", RATIOS[1], &reference.deflection, &lab.deflection, AIM[1]),
     ] {
         let mean = ours.mean / base.mean;
         let parts = [ours.error / ours.mean, base.error / base.mean];
-        list.push(Row {
+        list.push(PaperRow {
             case: case.into(),
-            quantity: Quantity::Ratio,
+            quantity: PaperQuantity::Ratio,
             paper,
             ours: mean,
             band: ours.band.map(|v| v / base.mean),
             error: mean * parts[0].hypot(parts[1]),
             peak: None,
-            standing: Standing::InView,
+            standing: PaperStanding::InView,
             aim: Some(aim),
             runs: reference.runs.len(),
         });
@@ -245,7 +245,7 @@ fn rows(made: &[Ensemble]) -> Vec<Row> {
             &format!("Table 1, test {}", test.test),
             paper,
             ensemble,
-            Standing::Predicted,
+            PaperStanding::Predicted,
         ));
     }
     for (panel, paper) in K75 {
@@ -253,15 +253,15 @@ fn rows(made: &[Ensemble]) -> Vec<Row> {
         let values: Vec<f64> =
             panels[at].runs.iter().map(|r| r.outcome.k75).filter(|k| *k > 0.0).collect();
         let spread = Spread::of(&values, &values);
-        list.push(Row {
+        list.push(PaperRow {
             case: format!("laboratory k75, L = {panel}"),
-            quantity: Quantity::Stiffness,
+            quantity: PaperQuantity::Stiffness,
             paper,
             ours: spread.mean,
             band: spread.band,
             error: spread.error,
             peak: None,
-            standing: Standing::Predicted,
+            standing: PaperStanding::Predicted,
             aim: None,
             runs: values.len(),
         });
@@ -274,17 +274,22 @@ fn rows(made: &[Ensemble]) -> Vec<Row> {
             LABORATORY[0] * laboratory::force_ratio(*panel),
             LABORATORY[1] * laboratory::deflection_ratio(*panel),
         ];
-        list.extend(pair(&format!("Eqs. 1-2, L = {panel}"), paper, ensemble, Standing::Predicted));
+        list.extend(pair(
+            &format!("Eqs. 1-2, L = {panel}"),
+            paper,
+            ensemble,
+            PaperStanding::Predicted,
+        ));
     }
-    list.push(shape("master curve, anchored reference", &reference.runs, Standing::InView));
+    list.push(shape("master curve, anchored reference", &reference.runs, PaperStanding::InView));
     let all: Vec<Run> = anchored.iter().flat_map(|e| e.runs.clone()).collect();
-    list.push(shape("master curve, all anchored cases", &all, Standing::InView));
+    list.push(shape("master curve, all anchored cases", &all, PaperStanding::InView));
     list
 }
 
 /// The force and the deflection of an ensemble beside the paper's.
-fn pair(case: &str, paper: [f64; 2], e: &Ensemble, standing: Standing) -> [Row; 2] {
-    let row = |k: usize, quantity, spread: &Spread, peak| Row {
+fn pair(case: &str, paper: [f64; 2], e: &Ensemble, standing: PaperStanding) -> [PaperRow; 2] {
+    let row = |k: usize, quantity, spread: &Spread, peak| PaperRow {
         case: case.to_string(),
         quantity,
         paper: paper[k],
@@ -297,8 +302,8 @@ fn pair(case: &str, paper: [f64; 2], e: &Ensemble, standing: Standing) -> [Row; 
         runs: e.runs.iter().filter(|r| r.outcome.first_break.is_some()).count(),
     };
     [
-        row(0, Quantity::Force, &e.force, e.peak[0]),
-        row(1, Quantity::Deflection, &e.deflection, e.peak[1]),
+        row(0, PaperQuantity::Force, &e.force, e.peak[0]),
+        row(1, PaperQuantity::Deflection, &e.deflection, e.peak[1]),
     ]
 }
 
@@ -325,7 +330,7 @@ fn normalised(run: &Run) -> Option<Vec<f64>> {
 }
 
 /// The largest difference of the mean normalised curve from Eq. 3; the band is that of the runs there.
-fn shape(case: &str, runs: &[Run], standing: Standing) -> Row {
+fn shape(case: &str, runs: &[Run], standing: PaperStanding) -> PaperRow {
     let curves: Vec<Vec<f64>> = runs.iter().filter_map(normalised).collect();
     let mut worst = (0.0, Spread::default());
     if !curves.is_empty() {
@@ -338,9 +343,9 @@ fn shape(case: &str, runs: &[Run], standing: Standing) -> Row {
             }
         }
     }
-    Row {
+    PaperRow {
         case: format!("{case}, at {:.2} of delta", worst.0),
-        quantity: Quantity::Shape,
+        quantity: PaperQuantity::Shape,
         paper: 0.0,
         ours: worst.1.mean,
         band: worst.1.band,
@@ -357,14 +362,14 @@ mod tests {
     use super::*;
     use crate::curve::{Curve, Point};
     use crate::dem::Stop;
-    use crate::dem::outcome::{Cost, Outcome, Quality};
+    use crate::dem::outcome::{Cost, Quality, RunOutcome};
 
     fn run(curve: Curve) -> Run {
         let failure = curve.failure;
         Run {
             seed: 0,
             phase: PLAIN_PHASE,
-            outcome: Outcome {
+            outcome: RunOutcome {
                 stop: Stop::AfterBreak,
                 first_break: failure,
                 breaks: Vec::new(),
@@ -394,10 +399,10 @@ mod tests {
             let force = x.iter().map(|d| 30_000.0 * shape(d / 0.6)).collect();
             run(Curve { deflection: x.clone(), force, failure: Some(end) })
         };
-        let row = shape("", &[of(master::force), of(master::force)], Standing::Predicted);
+        let row = shape("", &[of(master::force), of(master::force)], PaperStanding::Predicted);
         assert!(row.hit() && row.ours.abs() < 1e-4 && row.runs == 2, "{row:?}");
         // Worked by hand: x - Eq. 3 is largest where 3.936 x^2 - 0.77 x - 0.927 = 0, at 0.593, 0.412.
-        let row = shape("", &[of(|x| x)], Standing::Predicted);
+        let row = shape("", &[of(|x| x)], PaperStanding::Predicted);
         assert!(!row.hit() && (row.ours - 0.412).abs() < 2e-3, "{row:?}");
     }
 

@@ -6,7 +6,7 @@
 //! is scanned, every change from met to not met is narrowed down to two neighbouring floating point
 //! numbers, and all of them are reported, with the side on which the requirement is met.
 
-use super::case::{Case, Input, NoValue, Outcome, Point};
+use super::case::{Case, CasePoint, CaseValue, Input, NoValue};
 use crate::forecast::Field;
 use crate::forecast::design::{Question, answer};
 use crate::forecast::field::BRANCH_CROSSING;
@@ -84,23 +84,23 @@ impl Requirement {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
     /// Value of the input, m.
-    pub value: f64,
+    pub(crate) value: f64,
     /// What the case gives there.
-    pub outcome: Outcome,
+    pub(crate) outcome: CaseValue,
     /// Margin of the requirement, see [`Requirement::margin`]; nothing without a value.
-    pub margin: Option<f64>,
+    pub(crate) margin: Option<f64>,
 }
 
 impl Place {
     /// Whether the requirement is met there.
-    pub fn met(&self) -> bool {
+    pub(crate) fn met(&self) -> bool {
         self.margin.is_some_and(|m| m >= 0.0)
     }
 }
 
 /// How the requirement comes to be met or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum RequirementKind {
     /// The value just meets it.
     Exact,
     /// The forecast jumps there (another branch of A.1-A.2): no value just meets it.
@@ -109,13 +109,13 @@ pub enum Kind {
     Edge,
 }
 
-impl Kind {
+impl RequirementKind {
     /// The word in output: `exact`, `jump` or `edge`.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
-            Kind::Exact => "exact",
-            Kind::Jump => "jump",
-            Kind::Edge => "edge",
+            RequirementKind::Exact => "exact",
+            RequirementKind::Jump => "jump",
+            RequirementKind::Edge => "edge",
         }
     }
 }
@@ -126,20 +126,20 @@ pub struct Crossing {
     /// The last value that meets it, m: to the last bit, so that it is never beyond.
     pub value: f64,
     /// What the case gives there.
-    pub point: Point,
+    pub point: CasePoint,
     /// What the case gives at the neighbouring number that does not meet it.
-    pub beyond: Outcome,
+    pub beyond: CaseValue,
     /// Whether it is met above the value; otherwise below.
     pub met_above: bool,
     /// How it comes about.
-    pub kind: Kind,
+    pub kind: RequirementKind,
     /// The nearest whole millimetre on the safe side, m, where that meets it too.
     pub rounded: Option<f64>,
 }
 
 /// A part of the range in which the requirement is met throughout, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
+pub struct SolveSpan {
     /// Smallest value.
     pub from: f64,
     /// Largest value.
@@ -156,7 +156,7 @@ pub struct Solution {
     /// The range that was searched, the published one.
     pub range: PublishedRange,
     /// Where it is met, rising; empty where it is not in the whole range.
-    pub spans: Vec<Span>,
+    pub spans: Vec<SolveSpan>,
     /// The ends of the spans inside the range, rising.
     pub crossings: Vec<Crossing>,
     /// The two ends of the range.
@@ -167,7 +167,7 @@ pub struct Solution {
 
 impl Solution {
     /// Whether every value of the range meets it.
-    pub fn always(&self) -> bool {
+    pub(crate) fn always(&self) -> bool {
         self.crossings.is_empty() && !self.spans.is_empty()
     }
 
@@ -213,17 +213,17 @@ pub fn solve(case: &Case, input: Input, requirement: Requirement) -> Option<Solu
     Some(solution)
 }
 
-fn spans(first: &Place, last: &Place, crossings: &[Crossing]) -> Vec<Span> {
+fn spans(first: &Place, last: &Place, crossings: &[Crossing]) -> Vec<SolveSpan> {
     let mut spans = Vec::new();
     let mut open = first.met().then_some(first.value);
     for crossing in crossings {
         if crossing.met_above {
             open = Some(crossing.value);
         } else if let Some(from) = open.take() {
-            spans.push(Span { from, to: crossing.value });
+            spans.push(SolveSpan { from, to: crossing.value });
         }
     }
-    spans.extend(open.map(|from| Span { from, to: last.value }));
+    spans.extend(open.map(|from| SolveSpan { from, to: last.value }));
     spans
 }
 
@@ -318,7 +318,7 @@ impl Search<'_> {
         })
     }
 
-    fn rounded(&self, crossing: &Crossing, spans: &[Span]) -> Option<f64> {
+    fn rounded(&self, crossing: &Crossing, spans: &[SolveSpan]) -> Option<f64> {
         let span = spans.iter().find(|s| (s.from..=s.to).contains(&crossing.value))?;
         let whole = (crossing.value * 1000.0).round();
         let millimetres = match crossing.met_above {
@@ -331,16 +331,16 @@ impl Search<'_> {
     }
 }
 
-fn kind(inside: &Point, outside: &Outcome) -> Kind {
+fn kind(inside: &CasePoint, outside: &CaseValue) -> RequirementKind {
     match outside {
-        Err(NoValue::PunchOnPlate | NoValue::Senseless(_)) => Kind::Edge,
+        Err(NoValue::PunchOnPlate | NoValue::Senseless(_)) => RequirementKind::Edge,
         Ok(outside) => {
             let (a, b) = (inside.values(), outside.values());
             let jump = |a: f64, b: f64| (a - b).abs() > JUMP * a.abs();
             if jump(a.force, b.force) || jump(a.deflection, b.deflection) {
-                Kind::Jump
+                RequirementKind::Jump
             } else {
-                Kind::Exact
+                RequirementKind::Exact
             }
         }
     }
@@ -367,11 +367,11 @@ mod tests {
         // 27.063 (0.16 L/3 + 0.84) = 25: L = (25/27.063 - 0.84) 3/0.16 = 1.57068...
         let s = solved(&asked(REFERENCE, Some(25_000.0), None), Input::Spacing, Requirement::Force);
         let c = &s.crossings[0];
-        assert_eq!((s.crossings.len(), c.met_above, c.kind), (1, true, Kind::Exact));
+        assert_eq!((s.crossings.len(), c.met_above, c.kind), (1, true, RequirementKind::Exact));
         assert!((c.value - (25.0 / 27.063 - 0.84) * 3.0 / 0.16).abs() < 1e-9);
         assert!((c.point.utilisation().unwrap() - 1.0).abs() < 1e-12);
         assert!(c.point.utilisation().unwrap() <= 1.0 && c.rounded == Some(1.571));
-        assert_eq!(s.spans, [Span { from: c.value, to: 4.5 }]);
+        assert_eq!(s.spans, [SolveSpan { from: c.value, to: 4.5 }]);
         // Partial factors: 1.2 x 1.25 x 16.667 kN is the same load.
         let mut factored = asked(REFERENCE, Some(25_000.0 / 1.5), None);
         factored.question.gamma_load = 1.2;
@@ -399,8 +399,11 @@ mod tests {
         // to 20.8; from d = 0.2 on the small one, 29.1 x 0.494 x (1.5 d + 0.45), 10.8 to 16.8.
         let at = Layout { punch: 0.2, ..REFERENCE };
         let s = solved(&asked(at, Some(15_000.0), None), Input::Plate, Requirement::Force);
-        let kinds: Vec<Kind> = s.crossings.iter().map(|c| c.kind).collect();
-        assert_eq!((kinds.as_slice(), s.spans.len()), (&[Kind::Jump, Kind::Exact][..], 2));
+        let kinds: Vec<RequirementKind> = s.crossings.iter().map(|c| c.kind).collect();
+        assert_eq!(
+            (kinds.as_slice(), s.spans.len()),
+            (&[RequirementKind::Jump, RequirementKind::Exact][..], 2)
+        );
         assert_eq!(s.crossings[0].value.next_up(), 0.2);
         let by_hand = (15.0 / (29.1 * 0.494) - 0.45) / 1.5;
         assert!((s.crossings[1].value - by_hand).abs() < 1e-9);
@@ -417,7 +420,7 @@ mod tests {
         assert!((best.margin.unwrap() - (27.063 * 1.08 / 30.0 - 1.0)).abs() < 1e-12);
         let s = solved(&asked(REFERENCE, Some(1_000.0), None), Input::Spacing, Requirement::Force);
         assert!(s.always());
-        assert_eq!(s.spans, [Span { from: 1.25, to: 4.5 }]);
+        assert_eq!(s.spans, [SolveSpan { from: 1.25, to: 4.5 }]);
         assert_eq!(solve(&asked(REFERENCE, None, None), Input::Spacing, Requirement::Force), None);
         assert_eq!(solve(&case(REFERENCE, Some(1.0)), Input::OffsetX, Requirement::Force), None);
     }
@@ -428,7 +431,7 @@ mod tests {
         let at = Layout { ex: 0.84, ey: 1.5, punch: 0.5, ..REFERENCE };
         let s = solved(&asked(at, Some(5_000.0), None), Input::Punch, Requirement::Force);
         let last = s.crossings.last().unwrap();
-        assert_eq!((last.kind, last.met_above), (Kind::Edge, false));
+        assert_eq!((last.kind, last.met_above), (RequirementKind::Edge, false));
         assert!((last.value - 1.0).abs() < 1e-9 && last.beyond == Err(NoValue::PunchOnPlate));
     }
 }

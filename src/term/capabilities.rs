@@ -10,11 +10,11 @@ use crate::app::look::{ColorChoice, ColorMode, Glyphs, Look};
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Surroundings {
     /// `TERM`, empty when unset.
-    pub term: String,
+    pub(crate) term: String,
     /// `NO_COLOR` is set and not empty.
-    pub no_color: bool,
+    pub(crate) no_color: bool,
     /// The locale's character set is UTF-8.
-    pub utf8: bool,
+    pub(crate) utf8: bool,
 }
 
 impl Surroundings {
@@ -26,7 +26,7 @@ impl Surroundings {
     }
 
     /// From any environment.
-    pub fn from_lookup(get: impl Fn(&str) -> Option<String>) -> Surroundings {
+    pub(crate) fn from_lookup(get: impl Fn(&str) -> Option<String>) -> Surroundings {
         let filled = |name: &str| get(name).filter(|value| !value.is_empty());
         let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(filled);
         let locale = locale.unwrap_or_default().to_ascii_lowercase();
@@ -59,7 +59,7 @@ impl Surroundings {
 
     /// Whether what is to be copied may be sent (OSC 52). Old terminals would show it, and the Linux
     /// console has no clipboard.
-    pub fn clipboard(&self) -> bool {
+    pub(crate) fn clipboard(&self) -> bool {
         !self.term.is_empty() && !self.is_serial() && !self.term.starts_with("linux")
     }
 

@@ -1,16 +1,16 @@
 //! Writing reports, charts and tables beside a project.
 
 use crate::app::message::Exported;
-use crate::export::{Kind, Source};
+use crate::export::{ExportKind, ReportSource};
 use crate::project::{Document, Overwrite, Project, SaveError, same_file, write_file};
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
 
 /// What is to be written.
 #[derive(Debug, Clone, Copy)]
-pub struct Wanted<'a> {
+pub struct ExportWanted<'a> {
     /// What it is.
-    pub kind: Kind,
+    pub kind: ExportKind,
     /// Of this project.
     pub project: &'a Project,
     /// Whether the project has edits that are not in its file.
@@ -32,9 +32,9 @@ const MOST_NAMES: usize = 1000;
 ///
 /// # Errors
 /// Why it was not, for people.
-pub(super) fn write(document: &Document, wanted: Wanted<'_>) -> Result<Exported, String> {
+pub(super) fn write(document: &Document, wanted: ExportWanted<'_>) -> Result<Exported, String> {
     let title = document.title();
-    let source = Source {
+    let source = ReportSource {
         file_name: if document.path().is_some() { &title } else { "" },
         text: document.on_disk(),
         edited: wanted.edited,

@@ -1,6 +1,7 @@
+use super::super::FileHost;
+use super::super::exports::ExportWanted;
 use super::super::program::Host;
-use super::super::{FileHost, Wanted};
-use crate::export::Kind;
+use crate::export::ExportKind;
 use crate::project::{self, Home};
 use crate::units::LengthUnit;
 use std::fs;
@@ -15,7 +16,7 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
     let opened = project::load(&path).unwrap();
     let project = opened.project;
     let host = FileHost::new(opened.document, Home::at(Some(folder.path().join("home"))));
-    let wanted = |kind| Wanted {
+    let wanted = |kind| ExportWanted {
         kind,
         project: &project,
         edited: false,
@@ -24,7 +25,7 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
         path: None,
         overwrite: false,
     };
-    for kind in Kind::ALL {
+    for kind in ExportKind::ALL {
         let first = host.export(wanted(kind)).unwrap();
         assert_eq!(first.path.parent(), Some(folder.path()));
         assert!(first.note.is_none());
@@ -38,7 +39,7 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
     // A path that was typed is not replaced either, and the project itself never is.
     let taken = folder.path().join("taken.html");
     fs::write(&taken, "mine").unwrap();
-    let at = |path, overwrite| Wanted { path, overwrite, ..wanted(Kind::ReportHtml) };
+    let at = |path, overwrite| ExportWanted { path, overwrite, ..wanted(ExportKind::ReportHtml) };
     let refused = host.export(at(Some(&taken), false)).unwrap_err();
     assert!(refused.contains("exists; :export! replaces it"), "{refused}");
     assert_eq!(fs::read_to_string(&taken).unwrap(), "mine");
@@ -47,6 +48,6 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
     let refused = host.export(at(Some(&path), true)).unwrap_err();
     assert!(refused.contains("never overwritten"), "{refused}");
     assert_eq!(fs::read_to_string(&path).unwrap(), SAMPLE);
-    let edited = Wanted { edited: true, ..wanted(Kind::Table) };
+    let edited = ExportWanted { edited: true, ..wanted(ExportKind::Table) };
     assert!(host.export(edited).unwrap().note.is_some());
 }

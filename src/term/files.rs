@@ -1,10 +1,10 @@
 //! The real outside world: the project's file, its recovery file, the list of recent projects.
 
-use super::exports::{self, Wanted};
+use super::exports::{self, ExportWanted};
 use super::found;
 use super::program::Host;
 use crate::app::message::{Exported, SaveFailure, Saved};
-use crate::app::open::{Found, OpenFailure, OpenedProject};
+use crate::app::open::{FoundProject, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
 use crate::project::{self, Document, Home, Opened, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub struct FileHost {
 
 impl FileHost {
     /// For a project that was just opened.
-    pub fn new(document: Document, home: Home) -> FileHost {
+    pub(crate) fn new(document: Document, home: Home) -> FileHost {
         FileHost { home, document: Mutex::new(Arc::new(document)) }
     }
 
@@ -68,7 +68,7 @@ impl Host for FileHost {
         Ok(())
     }
 
-    fn list(&self) -> Vec<Found> {
+    fn list(&self) -> Vec<FoundProject> {
         let document = self.document();
         let folder = document.path().and_then(Path::parent);
         let folder = folder.filter(|dir| !dir.as_os_str().is_empty());
@@ -88,7 +88,7 @@ impl Host for FileHost {
         Ok(OpenedProject { project: Arc::new(project), path: path.to_path_buf(), note, kept })
     }
 
-    fn export(&self, wanted: Wanted<'_>) -> Result<Exported, String> {
+    fn export(&self, wanted: ExportWanted<'_>) -> Result<Exported, String> {
         exports::write(&self.document(), wanted)
     }
 
@@ -98,7 +98,7 @@ impl Host for FileHost {
 }
 
 /// Edits of a project kept from a session that was cut off, or what is to be said of them.
-pub fn kept(document: &Document, home: &Home) -> (Option<Arc<Project>>, Option<String>) {
+pub(crate) fn kept(document: &Document, home: &Home) -> (Option<Arc<Project>>, Option<String>) {
     let Some(kept) = document.find_recovery(home) else { return (None, None) };
     match document.recover(&kept) {
         Ok(project) => (Some(Arc::new(project)), None),
@@ -110,7 +110,7 @@ pub fn kept(document: &Document, home: &Home) -> (Option<Arc<Project>>, Option<S
 }
 
 /// What to say of a file in an older format.
-pub fn migrated(document: &Document) -> Option<String> {
+pub(crate) fn migrated(document: &Document) -> Option<String> {
     document.migrated_from().map(|version| {
         format!("the file has the older format {version}; saving brings it up to date")
     })

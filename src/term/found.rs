@@ -1,6 +1,6 @@
 //! Project files that can be opened: those that were open before, then those near by.
 
-use crate::app::open::Found;
+use crate::app::open::FoundProject;
 use crate::project::home::Home;
 use std::collections::{HashSet, VecDeque};
 use std::fs;
@@ -16,7 +16,7 @@ const PASSED_OVER: &[&str] =
 
 /// The recent projects, the last one first, and the `.ron` files below the folders `near`, the near
 /// ones first. `current` is the one that is open.
-pub(super) fn list(home: &Home, current: Option<&Path>, near: &[PathBuf]) -> Vec<Found> {
+pub(super) fn list(home: &Home, current: Option<&Path>, near: &[PathBuf]) -> Vec<FoundProject> {
     let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     let current = current.map(whole);
     let base = near.first().map(|dir| whole(dir));
@@ -24,7 +24,7 @@ pub(super) fn list(home: &Home, current: Option<&Path>, near: &[PathBuf]) -> Vec
     let mut found = Vec::new();
     let mut add = |path: PathBuf, recent: bool| {
         if seen.insert(path.clone()) {
-            found.push(Found {
+            found.push(FoundProject {
                 shown: shown(&path, base.as_deref()),
                 recent,
                 missing: recent && !path.is_file(),

@@ -19,7 +19,7 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 /// Gives the terminal back as it was: raw mode off, attributes reset, cursor shown, pastes plain,
 /// alternate screen left. Does nothing when that has been done, and never fails: quit, error, panic,
 /// signals and suspend all come through here, perhaps at once and perhaps without a terminal.
-pub fn restore() {
+pub(crate) fn restore() {
     if TAKEN.swap(false, Ordering::SeqCst) {
         // Both may fail on a terminal that is gone, and then there is nobody to tell.
         let _ = disable_raw_mode();

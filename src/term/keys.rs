@@ -4,7 +4,7 @@ use crate::app::key::{Code, Key};
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 /// The key the program knows for this event; `None` for releases and for keys it has no name for.
-pub fn key_from(event: KeyEvent) -> Option<Key> {
+pub(crate) fn key_from(event: KeyEvent) -> Option<Key> {
     if event.kind == KeyEventKind::Release {
         return None;
     }

@@ -67,7 +67,7 @@ impl Painter {
     }
 
     /// Trusts nothing that was sent before: the next frame clears the terminal and draws all of it.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.shown = None;
     }
 

@@ -1,19 +1,19 @@
 //! Settings between their file and the program's state.
 
 use super::capabilities::Surroundings;
-use crate::app::settings::{Item, Preferences, Settings};
+use crate::app::settings::{Preferences, SettingItem, Settings};
 use crate::project::home::Home;
-use crate::project::settings::Known;
+use crate::project::settings::KnownSettings;
 
 /// What the file of settings may hold.
-fn known() -> Vec<Known> {
+fn known() -> Vec<KnownSettings> {
     fn takes<const N: usize>(word: &str) -> bool {
-        Item::ALL[N].takes(word)
+        SettingItem::ALL[N].takes(word)
     }
-    const TAKES: [fn(&str) -> bool; Item::ALL.len()] =
+    const TAKES: [fn(&str) -> bool; SettingItem::ALL.len()] =
         [takes::<0>, takes::<1>, takes::<2>, takes::<3>, takes::<4>, takes::<5>, takes::<6>];
-    let each = Item::ALL.into_iter().zip(TAKES);
-    each.map(|(item, takes)| Known {
+    let each = SettingItem::ALL.into_iter().zip(TAKES);
+    each.map(|(item, takes)| KnownSettings {
         name: item.name(),
         allowed: item.allowed(),
         about: item.about(),
@@ -24,17 +24,17 @@ fn known() -> Vec<Known> {
 
 /// The settings of a session: the file's with this run's flags over them. A file that cannot be read
 /// leaves the defaults, with the reason; such a user is not new, so there is no tour.
-pub fn preferences(
+pub(crate) fn preferences(
     home: &Home,
     surroundings: &Surroundings,
-    flags: Vec<(Item, String)>,
+    flags: Vec<(SettingItem, String)>,
 ) -> (Preferences, Option<String>) {
     let mut kept = Settings::default();
     let (mut trouble, mut note) = (None, None);
     match home.settings(&known()) {
         Ok(words) => {
             for (name, word) in words.unwrap_or_default() {
-                if let Some(item) = Item::named(&name) {
+                if let Some(item) = SettingItem::named(&name) {
                     // The file's words were checked when it was read.
                     let _ = kept.set(item, &word);
                 }
@@ -51,7 +51,7 @@ pub fn preferences(
     let mut preferences = Preferences { kept, flags, auto, file, trouble, tour: false };
     // Without a place to keep that it was seen, the tour would come at every start.
     preferences.tour = !preferences.effective().tour_seen
-        && (preferences.file.is_some() || preferences.is_flag(Item::Tour));
+        && (preferences.file.is_some() || preferences.is_flag(SettingItem::Tour));
     (preferences, note)
 }
 
@@ -82,7 +82,7 @@ mod tests {
         let home = Home::at(Some(dir.path().to_path_buf()));
         let settings = Settings { fidelity: Fidelity::Fine, live: true, ..Settings::default() };
         assert_eq!(keep(&home, &settings), Ok(None));
-        let flags = vec![(Item::Fidelity, "quick".to_string())];
+        let flags = vec![(SettingItem::Fidelity, "quick".to_string())];
         let (found, note) = preferences(&home, &Surroundings::default(), flags);
         assert_eq!(note, None);
         assert_eq!(found.kept, settings);

@@ -1,9 +1,9 @@
 //! What the loop needs from the program's state and from the outside world.
 
-use super::exports::Wanted;
+use super::exports::ExportWanted;
 use crate::app::look::Look;
-use crate::app::message::{Effect, Exported, Message, SaveFailure, Saved};
-use crate::app::open::{Found, OpenFailure, OpenedProject};
+use crate::app::message::{Command, Exported, Message, SaveFailure, Saved};
+use crate::app::open::{FoundProject, OpenFailure, OpenedProject};
 use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// The state of an interactive program, as the loop sees it.
 pub trait Program {
     /// Takes a message in; what it returns is carried out in this order.
-    fn update(&mut self, message: Message) -> Vec<Effect>;
+    fn update(&mut self, message: Message) -> Vec<Command>;
 
     /// Draws the whole screen into an empty buffer of the terminal's size.
     fn draw(&self, buffer: &mut Buffer);
@@ -55,12 +55,12 @@ pub trait Host: Send + Sync {
     }
 
     /// Writes a report, a chart or a table. A host without files says so.
-    fn export(&self, _wanted: Wanted<'_>) -> Result<Exported, String> {
+    fn export(&self, _wanted: ExportWanted<'_>) -> Result<Exported, String> {
         Err("nothing can be written here".to_owned())
     }
 
     /// Project files that can be opened: recent ones, then those near by.
-    fn list(&self) -> Vec<Found> {
+    fn list(&self) -> Vec<FoundProject> {
         Vec::new()
     }
 

@@ -2,12 +2,12 @@
 
 use super::clipboard;
 use super::events::Event;
-use super::exports::Wanted;
+use super::exports::ExportWanted;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
 use super::workshop::Workshop;
-use crate::app::message::{Effect, Message};
+use crate::app::message::{Command, Message};
 use std::collections::VecDeque;
 use std::io;
 use std::sync::Arc;
@@ -140,12 +140,12 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
     }
 
     /// Does what was asked for; returns what is to be told of it at once.
-    fn carry_out(&mut self, effect: Effect) -> Vec<Message> {
+    fn carry_out(&mut self, effect: Command) -> Vec<Message> {
         let message = match effect {
-            Effect::Save { project, path, overwrite } => {
+            Command::Save { project, path, overwrite } => {
                 Some(Message::Saved(self.host.save(&project, path.as_deref(), overwrite)))
             }
-            Effect::Recover { project } => {
+            Command::Recover { project } => {
                 let result = self.host.recover(&project);
                 self.rescue.kept(project);
                 self.unkept_since = None;
@@ -153,30 +153,30 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                     .err()
                     .map(|why| Message::Trouble(format!("unsaved edits could not be kept: {why}")))
             }
-            Effect::ForgetRecovery => self.forget_recovery(),
-            Effect::Suspend => {
+            Command::ForgetRecovery => self.forget_recovery(),
+            Command::Suspend => {
                 self.suspend(true);
                 None
             }
-            Effect::Export { kind, project, edited, layout, unit, path, overwrite } => {
+            Command::Export { kind, project, edited, layout, unit, path, overwrite } => {
                 let path = path.as_deref();
                 let wanted =
-                    Wanted { kind, project: &project, edited, layout, unit, path, overwrite };
+                    ExportWanted { kind, project: &project, edited, layout, unit, path, overwrite };
                 Some(Message::Exported(self.host.export(wanted)))
             }
-            Effect::Work(order) => return self.workshop.order(order),
-            Effect::StopWork => {
+            Command::Work(order) => return self.workshop.order(order),
+            Command::StopWork => {
                 self.workshop.stop();
                 None
             }
-            Effect::Redraw => {
+            Command::Redraw => {
                 self.painter.forget();
                 self.redraw = true;
                 None
             }
-            Effect::Copy { text } => self.copy(&text),
-            Effect::ListProjects => Some(Message::Projects(self.host.list())),
-            Effect::OpenProject { path } => {
+            Command::Copy { text } => self.copy(&text),
+            Command::ListProjects => Some(Message::Projects(self.host.list())),
+            Command::OpenProject { path } => {
                 let result = self.host.open(&path);
                 if result.is_ok() {
                     // The host dropped the former project's recovery file; what is there now
@@ -185,10 +185,10 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 }
                 Some(Message::Opened(result))
             }
-            Effect::KeepSettings { settings } => {
+            Command::KeepSettings { settings } => {
                 Some(Message::SettingsKept(self.host.keep_settings(&settings)))
             }
-            Effect::Quit => {
+            Command::Quit => {
                 self.ending = Some(Ending::Quit);
                 None
             }
@@ -239,7 +239,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         for effect in self.program.update(Message::HangUp) {
             if matches!(
                 effect,
-                Effect::Recover { .. } | Effect::ForgetRecovery | Effect::Save { .. }
+                Command::Recover { .. } | Command::ForgetRecovery | Command::Save { .. }
             ) {
                 self.carry_out(effect);
             }

@@ -94,7 +94,7 @@ struct NotedProgram {
 }
 
 impl Program for NotedProgram {
-    fn update(&mut self, message: Message) -> Vec<Effect> {
+    fn update(&mut self, message: Message) -> Vec<Command> {
         match message {
             Message::Key(Key { code: Code::Char(c), .. }) => {
                 match c {
@@ -106,13 +106,13 @@ impl Program for NotedProgram {
                     'u' => self.unsaved = None,
                     's' => {
                         let project = Arc::clone(self.unsaved.as_ref().unwrap());
-                        return vec![Effect::Save { project, path: None, overwrite: true }];
+                        return vec![Command::Save { project, path: None, overwrite: true }];
                     }
-                    'z' => return vec![Effect::Suspend],
-                    'r' => return vec![Effect::Redraw],
-                    'y' => return vec![Effect::Copy { text: "22.8 kN".to_owned() }],
-                    'o' => return vec![Effect::OpenProject { path: "other.ron".into() }],
-                    'q' => return vec![Effect::Quit],
+                    'z' => return vec![Command::Suspend],
+                    'r' => return vec![Command::Redraw],
+                    'y' => return vec![Command::Copy { text: "22.8 kN".to_owned() }],
+                    'o' => return vec![Command::OpenProject { path: "other.ron".into() }],
+                    'q' => return vec![Command::Quit],
                     _ => {}
                 }
                 note(&self.notes, format!("key {c}"));
@@ -120,12 +120,12 @@ impl Program for NotedProgram {
             Message::Saved(_) => {
                 self.unsaved = None;
                 note(&self.notes, "saved");
-                return vec![Effect::ForgetRecovery];
+                return vec![Command::ForgetRecovery];
             }
             Message::Trouble(text) => note(&self.notes, format!("trouble: {text}")),
             Message::HangUp => {
                 note(&self.notes, "hang-up");
-                return vec![Effect::Redraw, Effect::Suspend];
+                return vec![Command::Redraw, Command::Suspend];
             }
             Message::Resumed => note(&self.notes, "resumed"),
             Message::Resize { width, height } => {

@@ -18,7 +18,7 @@ use std::time::Duration;
 
 /// How a session runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Options {
+pub struct SessionOptions {
     /// What the terminal takes.
     pub charset: Charset,
     /// How long edits may stay out of the recovery file; `None` keeps them only at the end.
@@ -27,10 +27,14 @@ pub struct Options {
     pub clipboard: bool,
 }
 
-impl Default for Options {
+impl Default for SessionOptions {
     /// UTF-8, edits kept after five seconds, copies sent.
-    fn default() -> Options {
-        Options { charset: Charset::Utf8, autosave: Some(Duration::from_secs(5)), clipboard: true }
+    fn default() -> SessionOptions {
+        SessionOptions {
+            charset: Charset::Utf8,
+            autosave: Some(Duration::from_secs(5)),
+            clipboard: true,
+        }
     }
 }
 
@@ -39,12 +43,12 @@ impl Default for Options {
 pub struct Session {
     mail: Mail,
     events: Receiver<Event>,
-    options: Options,
+    options: SessionOptions,
 }
 
 impl Session {
     /// Checks that there is a terminal; nothing is changed on it yet.
-    pub fn open(options: Options) -> Result<Session, TermError> {
+    pub fn open(options: SessionOptions) -> Result<Session, TermError> {
         if !io::stdin().is_terminal() {
             return Err(TermError::NoTerminal("standard input"));
         }

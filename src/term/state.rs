@@ -3,14 +3,14 @@
 use super::program::Program;
 use crate::app::App;
 use crate::app::look::Look;
-use crate::app::message::{Effect, Message};
+use crate::app::message::{Command, Message};
 use crate::project::Project;
 use crate::ui;
 use ratatui::buffer::Buffer;
 use std::sync::Arc;
 
 impl Program for App {
-    fn update(&mut self, message: Message) -> Vec<Effect> {
+    fn update(&mut self, message: Message) -> Vec<Command> {
         App::update(self, message)
     }
 

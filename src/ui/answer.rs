@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 /// Draws the answer with its heading, as many lines as there are rows, the most important first.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "answer", "", theme);
     let list = below(area, 1);
     let columns = usize::from(list.width.saturating_sub(1));
@@ -23,7 +23,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// The lines of the answer with their styles, at most `rows`.
-pub fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
+pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     let forecast = match &app.result().forecast {
         Ok(forecast) => forecast,
         Err(problems) => {

@@ -7,7 +7,7 @@ use ratatui::style::Style;
 
 /// How a line is drawn, so that lines differ without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pattern {
+pub(crate) enum Pattern {
     /// Every dot.
     Solid,
     /// So many dots drawn, so many left out.
@@ -25,20 +25,20 @@ impl Pattern {
 
 /// A pen: style, pattern, and the character that stands for it in plain ASCII.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pen {
+pub(crate) struct DotPen {
     /// Style of the characters drawn.
-    pub style: Style,
+    pub(crate) style: Style,
     /// Which dots are drawn.
-    pub pattern: Pattern,
+    pub(crate) pattern: Pattern,
     /// The character in ASCII; `None` picks one by the height of the dots within it.
-    pub ascii: Option<char>,
+    pub(crate) ascii: Option<char>,
 }
 
 /// A grid of dots over an area of the screen.
-pub struct Canvas {
+pub(crate) struct Canvas {
     area: Rect,
     glyphs: Glyphs,
-    cells: Vec<Option<(u8, Pen)>>,
+    cells: Vec<Option<(u8, DotPen)>>,
 }
 
 /// Bit of each dot of a braille character, by column and row.
@@ -46,7 +46,7 @@ const BRAILLE: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80
 
 impl Canvas {
     /// An empty grid over an area.
-    pub fn new(area: Rect, glyphs: Glyphs) -> Canvas {
+    pub(crate) fn new(area: Rect, glyphs: Glyphs) -> Canvas {
         Canvas {
             area,
             glyphs,
@@ -64,13 +64,13 @@ impl Canvas {
     }
 
     /// Dots of the whole grid, across and down.
-    pub fn dots(&self) -> (i32, i32) {
+    pub(crate) fn dots(&self) -> (i32, i32) {
         let (x, y) = self.resolution();
         (i32::from(self.area.width) * x, i32::from(self.area.height) * y)
     }
 
     /// Sets a dot; (0, 0) is the top left one. Dots outside the grid are left out.
-    pub fn dot(&mut self, x: i32, y: i32, pen: Pen) {
+    pub(crate) fn dot(&mut self, x: i32, y: i32, pen: DotPen) {
         let (width, height) = self.dots();
         if x < 0 || y < 0 || x >= width || y >= height {
             return;
@@ -93,7 +93,7 @@ impl Canvas {
     }
 
     /// Draws a line through points in dots (fractions allowed), the pattern running along it.
-    pub fn line(&mut self, points: impl IntoIterator<Item = (f64, f64)>, pen: Pen) {
+    pub(crate) fn line(&mut self, points: impl IntoIterator<Item = (f64, f64)>, pen: DotPen) {
         let mut count = 0;
         let mut last: Option<(f64, f64)> = None;
         for (x, y) in points {
@@ -123,7 +123,7 @@ impl Canvas {
     }
 
     /// Puts the drawn characters on the screen; empty ones leave it as it is.
-    pub fn show(&self, buf: &mut Buffer) {
+    pub(crate) fn show(&self, buf: &mut Buffer) {
         for (i, cell) in self.cells.iter().enumerate() {
             let Some((bits, pen)) = cell else { continue };
             let x = self.area.x + (i % usize::from(self.area.width)) as u16;

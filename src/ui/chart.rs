@@ -1,6 +1,6 @@
 //! The chart: forecast curve with its failure point, overlays, laboratory test, design lines.
 
-use super::canvas::{Canvas, Pattern, Pen};
+use super::canvas::{Canvas, DotPen, Pattern};
 use super::check;
 use super::text::{put, put_right, width};
 use super::theme::Theme;
@@ -19,7 +19,7 @@ const POINTS: usize = 101;
 const LABELS: u16 = 5;
 
 /// Letters of overlaid layouts, in the order of the list.
-pub fn overlay_letter(app: &App, index: usize) -> Option<char> {
+pub(crate) fn overlay_letter(app: &App, index: usize) -> Option<char> {
     let layouts = &app.project().layouts;
     if !layouts.get(index)?.overlay {
         return None;
@@ -29,7 +29,7 @@ pub fn overlay_letter(app: &App, index: usize) -> Option<char> {
 }
 
 /// Draws the chart into an area: plot, axes and labels.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     if area.width < LABELS + 12 || area.height < 5 {
         return;
     }
@@ -39,20 +39,21 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         width: area.width - LABELS - 1,
         height: area.height - 2,
     };
-    let scale = Scale::of(app, plot);
+    let scale = ChartScale::of(app, plot);
     axes(area, plot, &scale, buf, theme);
 
     let mut canvas = Canvas::new(plot, theme.glyphs);
     let laboratory = app.result().forecast().map(|f| f.laboratory);
     if let Some(values) = laboratory {
-        let pen = Pen { style: theme.laboratory, pattern: Pattern::Dashed(1, 3), ascii: Some('.') };
+        let pen =
+            DotPen { style: theme.laboratory, pattern: Pattern::Dashed(1, 3), ascii: Some('.') };
         canvas.line(scale.dots(&rescaled(values, POINTS), &canvas), pen);
     }
     design_lines(app, &scale, &mut canvas, theme);
     let overlays: Vec<(char, Values)> = overlays(app);
     for (k, (letter, values)) in overlays.iter().enumerate() {
         let pattern = [(6, 2), (3, 3), (8, 2), (2, 2)][k % 4];
-        let pen = Pen {
+        let pen = DotPen {
             style: theme.overlay,
             pattern: Pattern::Dashed(pattern.0, pattern.1),
             ascii: Some(letter.to_ascii_lowercase()),
@@ -62,7 +63,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     check::curves(app, &scale, &mut canvas, theme);
     let field = field_values(app.result());
     if let Some(values) = field {
-        let pen = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
+        let pen = DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
         canvas.line(scale.dots(&rescaled(values, POINTS), &canvas), pen);
     }
     canvas.show(buf);
@@ -97,17 +98,17 @@ fn overlays(app: &App) -> Vec<(char, Values)> {
 }
 
 /// The two axes, in the units shown.
-pub(super) struct Scale {
+pub(super) struct ChartScale {
     x: Axis,
     y: Axis,
     /// Units of length on the screen in a metre.
     per_metre: f64,
 }
 
-impl Scale {
+impl ChartScale {
     /// Axes that hold the forecast, the overlays and the design values. The laboratory force is far
     /// above them; its curve runs out of the chart and a label says where to.
-    fn of(app: &App, plot: Rect) -> Scale {
+    fn of(app: &App, plot: Rect) -> ChartScale {
         let mut force: f64 = 0.0;
         let mut deflection: f64 = 0.0;
         let shown = overlays(app).into_iter().map(|o| o.1).chain(field_values(app.result()));
@@ -133,7 +134,7 @@ impl Scale {
         let force = holding(force, layout.design_force.map(|f| f * layout.gamma_load));
         let deflection = holding(deflection, layout.allowable_deflection);
         let per_metre = app.units().per_metre();
-        Scale {
+        ChartScale {
             x: Axis::holding(deflection * per_metre, u32::from(plot.width / 10).clamp(2, 8)),
             y: Axis::holding(to_kn(force) * 1.02, u32::from(plot.height / 2).clamp(2, 8)),
             per_metre,
@@ -167,7 +168,7 @@ impl Scale {
     }
 }
 
-fn axes(area: Rect, plot: Rect, scale: &Scale, buf: &mut Buffer, theme: &Theme) {
+fn axes(area: Rect, plot: Rect, scale: &ChartScale, buf: &mut Buffer, theme: &Theme) {
     for row in 0..plot.height {
         put(buf, area, row, LABELS, theme.upright(), theme.heading);
     }
@@ -192,7 +193,7 @@ fn axes(area: Rect, plot: Rect, scale: &Scale, buf: &mut Buffer, theme: &Theme) 
 fn mark(
     sign: &str,
     values: Values,
-    scale: &Scale,
+    scale: &ChartScale,
     plot: Rect,
     buf: &mut Buffer,
     style: ratatui::style::Style,
@@ -207,7 +208,7 @@ fn mark(
 fn laboratory_label(
     app: &App,
     values: Values,
-    scale: &Scale,
+    scale: &ChartScale,
     plot: Rect,
     buf: &mut Buffer,
     theme: &Theme,
@@ -231,10 +232,10 @@ fn laboratory_label(
 }
 
 /// Design force across, allowable deflection upright, where they are set and on the chart.
-fn design_lines(app: &App, scale: &Scale, canvas: &mut Canvas, theme: &Theme) {
+fn design_lines(app: &App, scale: &ChartScale, canvas: &mut Canvas, theme: &Theme) {
     let layout = app.layout();
     let pen =
-        |ascii| Pen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some(ascii) };
+        |ascii| DotPen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some(ascii) };
     let end_x = scale.x.end() / scale.per_metre;
     let end_y = scale.y.end() * 1000.0;
     if let Some(load) = layout.design_force.map(|f| f * layout.gamma_load)
@@ -254,7 +255,7 @@ fn design_lines(app: &App, scale: &Scale, canvas: &mut Canvas, theme: &Theme) {
 }
 
 /// The axes and the design values in words, for the chart's heading.
-pub fn caption(app: &App) -> String {
+pub(crate) fn caption(app: &App) -> String {
     let layout = app.layout();
     let mut parts = vec![format!("F (kN) over delta ({})", app.units().symbol())];
     if let Some(f) = layout.design_force {

@@ -1,25 +1,25 @@
 //! The check by simulation: its lines in the answer, its curves on the chart, its progress.
 
-use super::canvas::{Canvas, Pattern, Pen};
-use super::chart::Scale;
+use super::canvas::{Canvas, DotPen, Pattern};
+use super::chart::ChartScale;
 use super::studies;
 use super::text::put;
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::checks::{Shown, Standing};
+use crate::app::checks::{ShownCheck, Standing};
 use crate::curve::{Curve, Point};
 use crate::job::pace::duration;
-use crate::study::verdict::places::Places;
+use crate::study::result::places::Places;
 use crate::units::{force_text, length_text, significant, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 /// The sign of the mean first break on the chart.
-pub const SIGN: &str = "o";
+pub(crate) const SIGN: &str = "o";
 
 /// What is said of the check in the answer, the most important first.
-pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
+pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     let Some(shown) = app.shown_check() else {
         return match app.live_refusal() {
             Some(why) => vec![(format!("no check: {why}"), theme.caution)],
@@ -27,30 +27,30 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
             None => Vec::new(),
         };
     };
-    let verdict = shown.verdict;
+    let result = shown.result;
     let style = if shown.stale() { theme.caution } else { theme.check };
     let mut lines = vec![(figures(app, &shown), style)];
-    if verdict.bifurcation() {
+    if result.bifurcation() {
         lines.push(("! a millimetre decides: band only".into(), theme.caution));
     }
-    if verdict.diverged() {
+    if result.diverged() {
         lines.push(("! some runs ran away: see i".into(), theme.caution));
     }
     let runs = match shown.standing {
-        Standing::Live(true) => format!("{} of {}", verdict.runs, crate::app::checks::LIVE_RUNS),
-        _ => verdict.runs.to_string(),
+        Standing::Live(true) => format!("{} of {}", result.runs, crate::app::checks::LIVE_RUNS),
+        _ => result.runs.to_string(),
     };
     let word = if runs == "1" { "run" } else { "runs" };
     let difference = difference(app, &shown).map_or(String::new(), |(force, deflection)| {
         format!("F {force:+.0} %, delta {deflection:+.0} %; ")
     });
-    let cut = if verdict.partial() { ", ended early" } else { "" };
+    let cut = if result.partial() { ", ended early" } else { "" };
     lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
-    if verdict.slipped > 0 {
-        let text = format!(" slipped through: {} of {}", verdict.slipped, verdict.runs);
+    if result.slipped > 0 {
+        let text = format!(" slipped through: {} of {}", result.slipped, result.runs);
         lines.push((text, theme.caution));
     }
-    let places = Places::of(verdict, &app.layout().layout()).text();
+    let places = Places::of(result, &app.layout().layout()).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));
     }
@@ -58,59 +58,59 @@ pub fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
 }
 
 /// How far the check can be trusted, where there is room for it.
-pub fn trust(app: &App, theme: &Theme) -> Option<(String, Style)> {
-    let verdict = app.shown_check()?.verdict;
-    let error = significant(100.0 * verdict.quality.error_estimate, 2);
-    let text = format!("DEM {}: error est. {error} %", verdict.wanted.fidelity.word());
+pub(crate) fn trust(app: &App, theme: &Theme) -> Option<(String, Style)> {
+    let result = app.shown_check()?.result;
+    let error = significant(100.0 * result.quality.error_estimate, 2);
+    let text = format!("DEM {}: error est. {error} %", result.wanted.fidelity.word());
     Some((text, theme.text))
 }
 
 /// Force and deflection with their deviation.
-fn figures(app: &App, shown: &Shown) -> String {
-    let verdict = shown.verdict;
+fn figures(app: &App, shown: &ShownCheck) -> String {
+    let result = shown.result;
     let label = match shown.standing {
         Standing::Live(_) => "live",
         Standing::Current | Standing::Stale => "DEM",
     };
     let stale = if shown.stale() { " stale" } else { "" };
-    if !verdict.broke() {
-        return format!("{label} no break, peak {}{stale}", force_text(verdict.peak.force));
+    if !result.broke() {
+        return format!("{label} no break, peak {}{stale}", force_text(result.peak.force));
     }
-    let mean = significant(to_kn(verdict.force.mean), 3);
-    let deviation = match verdict.breaks.len() {
+    let mean = significant(to_kn(result.force.mean), 3);
+    let deviation = match result.breaks.len() {
         0 | 1 => String::new(),
         _ => {
             // As many decimals as the mean has.
             let decimals = mean.rsplit_once('.').map_or(0, |(_, d)| d.len());
-            format!("+-{:.decimals$}", to_kn(verdict.force.deviation))
+            format!("+-{:.decimals$}", to_kn(result.force.deviation))
         }
     };
     format!(
         "{label} {mean}{deviation} kN {}{stale}",
-        length_text(verdict.deflection.mean, app.units())
+        length_text(result.deflection.mean, app.units())
     )
 }
 
 /// Difference of the check from the forecast, %, of the inputs as they are.
-fn difference(app: &App, shown: &Shown) -> Option<(f64, f64)> {
+fn difference(app: &App, shown: &ShownCheck) -> Option<(f64, f64)> {
     let field = app.result().forecast()?.field?;
-    let (verdict, values) = (shown.verdict, field.values);
-    (verdict.broke() && !shown.stale()).then(|| {
+    let (result, values) = (shown.result, field.values);
+    (result.broke() && !shown.stale()).then(|| {
         let part = |check: f64, forecast: f64| 100.0 * (check / forecast - 1.0);
-        (part(verdict.force.mean, values.force), part(verdict.deflection.mean, values.deflection))
+        (part(result.force.mean, values.force), part(result.deflection.mean, values.deflection))
     })
 }
 
 /// How far the chart must reach for the check.
-pub fn reach(app: &App) -> Point {
+pub(crate) fn reach(app: &App) -> Point {
     let mut reach = Point::default();
     let mut hold = |p: Point| {
         reach.force = reach.force.max(p.force);
         reach.deflection = reach.deflection.max(p.deflection);
     };
     if let Some(shown) = app.shown_check() {
-        shown.verdict.curve.points().for_each(&mut hold);
-        let top = shown.verdict.band[1].iter().copied().fold(0.0, f64::max);
+        shown.result.curve.points().for_each(&mut hold);
+        let top = shown.result.band[1].iter().copied().fold(0.0, f64::max);
         hold(Point { force: top, deflection: 0.0 });
     }
     app.growing().iter().flatten().copied().for_each(&mut hold);
@@ -118,35 +118,35 @@ pub fn reach(app: &App) -> Point {
 }
 
 /// Draws the mean curve, its band, and the runs under way.
-pub(super) fn curves(app: &App, scale: &Scale, canvas: &mut Canvas, theme: &Theme) {
-    let thin = Pen { style: theme.check, pattern: Pattern::Dashed(1, 3), ascii: Some(',') };
+pub(super) fn curves(app: &App, scale: &ChartScale, canvas: &mut Canvas, theme: &Theme) {
+    let thin = DotPen { style: theme.check, pattern: Pattern::Dashed(1, 3), ascii: Some(',') };
     let growing = app.growing();
     for run in growing {
         canvas.line(run.iter().map(|p| scale.dot(*p, canvas)).collect::<Vec<_>>(), thin);
     }
     let Some(shown) = app.shown_check().filter(|_| growing.is_empty()) else { return };
-    let verdict = shown.verdict;
-    for limit in verdict.band.iter().filter(|limit| !limit.is_empty()) {
+    let result = shown.result;
+    for limit in result.band.iter().filter(|limit| !limit.is_empty()) {
         let curve = Curve {
-            deflection: verdict.curve.deflection.clone(),
+            deflection: result.curve.deflection.clone(),
             force: limit.clone(),
             failure: None,
         };
         canvas.line(scale.dots(&curve, canvas), thin);
     }
     let pattern = if shown.stale() { Pattern::Dashed(1, 2) } else { Pattern::Dashed(4, 2) };
-    let pen = Pen { style: theme.check, pattern, ascii: Some('o') };
-    canvas.line(scale.dots(&verdict.curve, canvas), pen);
-    for broken in &verdict.breaks {
+    let pen = DotPen { style: theme.check, pattern, ascii: Some('o') };
+    canvas.line(scale.dots(&result.curve, canvas), pen);
+    for broken in &result.breaks {
         let (x, y) = scale.dot(broken.at, canvas);
-        canvas.dot(x.floor() as i32, y.floor() as i32, Pen { pattern: Pattern::Solid, ..thin });
+        canvas.dot(x.floor() as i32, y.floor() as i32, DotPen { pattern: Pattern::Solid, ..thin });
     }
 }
 
 /// Puts the sign at the mean first break.
-pub(super) fn marks(app: &App, scale: &Scale, plot: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(super) fn marks(app: &App, scale: &ChartScale, plot: Rect, buf: &mut Buffer, theme: &Theme) {
     let Some(shown) = app.shown_check().filter(|_| app.growing().is_empty()) else { return };
-    if let Some(end) = shown.verdict.curve.failure
+    if let Some(end) = shown.result.curve.failure
         && let Some((column, row)) = scale.cell(end, plot)
     {
         put(buf, plot, row, column, SIGN, theme.check);
@@ -154,7 +154,7 @@ pub(super) fn marks(app: &App, scale: &Scale, plot: Rect, buf: &mut Buffer, them
 }
 
 /// How far the user's check has come, in a line.
-pub fn progress(app: &App) -> Option<String> {
+pub(crate) fn progress(app: &App) -> Option<String> {
     let Some(running) = app.running() else { return studies::progress(app) };
     let Some(p) = &running.progress else {
         return Some("checking; Esc ends it".into());

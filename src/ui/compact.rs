@@ -8,7 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws everything between title and bottom line.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let count = app.project().layouts.len();
     let text = format!(" {} ({}/{count})", cut(&app.layout().name, 26), app.selected() + 1);
     put(buf, area, 0, 0, &text, theme.selected);

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws a question with its keys in the middle of the area.
-pub fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let question = match context {
         Context::ConfirmQuit => "There are edits that are not saved.",
         Context::ConfirmOverwrite => {

@@ -1,19 +1,19 @@
 //! The deformed net as lines of equal height in the plan.
 
-use super::canvas::{Canvas, Pattern, Pen};
+use super::canvas::{Canvas, DotPen, Pattern};
 use super::theme::Theme;
 use crate::app::App;
 
 /// Heights at which lines are drawn, over the largest height.
-pub const LEVELS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
+pub(crate) const LEVELS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 
 /// Draws the lines of the result shown, if its shape is known. `reach` is the width of the plan in m.
-pub fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
+pub(crate) fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
     let Some(relief) = app.shown_check().and_then(|shown| shown.relief) else { return };
     if relief.highest <= 0.0 {
         return;
     }
-    let pen = Pen { style: theme.check, pattern: Pattern::Solid, ascii: Some('.') };
+    let pen = DotPen { style: theme.check, pattern: Pattern::Solid, ascii: Some('.') };
     let (width, height) = canvas.dots();
     // A few characters hold one line, not four.
     let levels = if width < 20 { &LEVELS[1..2] } else { &LEVELS[..] };

@@ -3,18 +3,18 @@
 use super::text::{clear, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::export::Kind;
+use crate::export::ExportKind;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the list over the whole area.
-pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
     clear(buf, area);
     heading(buf, area, "write to a file", "", theme);
     let stem =
         app.path().and_then(|p| p.file_stem()).map_or("meshcast".into(), |s| s.to_string_lossy());
     let columns = usize::from(area.width);
-    for (row, kind) in Kind::ALL.into_iter().enumerate() {
+    for (row, kind) in ExportKind::ALL.into_iter().enumerate() {
         let sign = if row == index { ">" } else { " " };
         let name = kind.file_name(&stem, &app.layout().name, 1);
         let text = format!(" {sign} {:<41} {name}", kind.about());
@@ -36,7 +36,7 @@ pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme
             String::new()
         },
     ];
-    let top = 2 + Kind::ALL.len() as u16;
+    let top = 2 + ExportKind::ALL.len() as u16;
     let wrapped =
         lines.iter().flat_map(|line| textwrap::wrap(line, columns.saturating_sub(4).max(10)));
     let rows = usize::from(area.height.saturating_sub(top));

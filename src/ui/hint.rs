@@ -4,14 +4,14 @@ use super::check;
 use super::inputs::typed_text;
 use super::text::{cut, put, put_right, width};
 use super::theme::Theme;
-use crate::app::entry::{Entry, Target};
+use crate::app::entry::{EditTarget, LineEntry};
 use crate::app::keymap;
 use crate::app::{App, Level, Mode};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the title: program, file with a star for unsaved edits, mesh.
-pub fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     let file = match app.path() {
         Some(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
         None => "not saved to a file".to_string(),
@@ -28,7 +28,7 @@ pub fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// Draws the bottom line.
-pub fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     if let Mode::Entry(entry) = app.mode() {
         return prompt(app, entry, row, buf, theme);
     }
@@ -68,23 +68,23 @@ fn hints(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// The line of text being typed, or for a value its range and what was wrong.
-fn prompt(app: &App, entry: &Entry, row: Rect, buf: &mut Buffer, theme: &Theme) {
+fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &Theme) {
     if let Some(error) = &entry.error {
         // A refused command or name still shows its text: the reason stands before it.
         let text = format!(" ! {error} ");
         let room = match entry.target {
-            Target::Value(_) => usize::from(row.width),
+            EditTarget::Value(_) => usize::from(row.width),
             _ => usize::from(row.width) * 2 / 3,
         };
         let end = put(buf, row, 0, 0, &cut(&text, room), theme.error);
-        if !matches!(entry.target, Target::Value(_)) {
+        if !matches!(entry.target, EditTarget::Value(_)) {
             let rest = Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row };
             typed_text(entry, rest, buf, theme);
         }
         return;
     }
     match entry.target {
-        Target::Value(field) => {
+        EditTarget::Value(field) => {
             let text = format!(
                 " {}: {}; Enter takes, Esc drops",
                 field.phrase(),
@@ -94,7 +94,7 @@ fn prompt(app: &App, entry: &Entry, row: Rect, buf: &mut Buffer, theme: &Theme) 
         }
         target => {
             let prompt = match target {
-                Target::Command => " :".to_string(),
+                EditTarget::Command => " :".to_string(),
                 _ => format!(" {}: ", target.prompt()),
             };
             let end = put(buf, row, 0, 0, &prompt, theme.key);

@@ -3,7 +3,7 @@
 use super::layouts::first_shown;
 use super::text::{below, heading, put, put_right};
 use super::theme::Theme;
-use crate::app::entry::{Entry, Target};
+use crate::app::entry::{EditTarget, LineEntry};
 use crate::app::field::Field;
 use crate::app::{App, Mode};
 use crate::units::length_entry;
@@ -14,13 +14,13 @@ use ratatui::layout::Rect;
 const WITH_RANGES: u16 = 38;
 
 /// Draws the inputs with their heading; the last row is the range of the selected one.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "inputs", "", theme);
     draw_rows(app, below(area, 1), buf, theme);
 }
 
 /// The same without the heading, for small screens.
-pub fn draw_rows(app: &App, list: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw_rows(app: &App, list: Rect, buf: &mut Buffer, theme: &Theme) {
     let rows = usize::from(list.height.saturating_sub(1));
     let at = Field::ALL.iter().position(|f| *f == app.field()).unwrap_or(0);
     let first = first_shown(at, rows, Field::ALL.len());
@@ -42,7 +42,7 @@ fn line(app: &App, field: Field, list: Rect, row: u16, buf: &mut Buffer, theme: 
 
     let column = 13.min(list.width);
     let typed = match app.mode() {
-        Mode::Entry(entry) if selected && entry.target == Target::Value(field) => Some(entry),
+        Mode::Entry(entry) if selected && entry.target == EditTarget::Value(field) => Some(entry),
         _ => None,
     };
     if let Some(entry) = typed {
@@ -63,7 +63,7 @@ fn line(app: &App, field: Field, list: Rect, row: u16, buf: &mut Buffer, theme: 
 }
 
 /// The text being typed, with its cursor.
-fn typing(entry: &Entry, list: Rect, row: u16, column: u16, buf: &mut Buffer, theme: &Theme) {
+fn typing(entry: &LineEntry, list: Rect, row: u16, column: u16, buf: &mut Buffer, theme: &Theme) {
     let room = usize::from(list.width.saturating_sub(column)).max(4);
     typed_text(
         entry,
@@ -74,7 +74,7 @@ fn typing(entry: &Entry, list: Rect, row: u16, column: u16, buf: &mut Buffer, th
 }
 
 /// A line of typed text with its cursor in a row of the screen; long text scrolls with the cursor.
-pub fn typed_text(entry: &Entry, row: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn typed_text(entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &Theme) {
     let room = usize::from(row.width);
     let chars: Vec<char> = entry.text().chars().collect();
     let cursor = entry.cursor().min(chars.len());
@@ -103,7 +103,7 @@ fn short_range(app: &App, field: Field) -> String {
 }
 
 /// The range of the selected input in words.
-pub fn range_line(app: &App) -> String {
+pub(crate) fn range_line(app: &App) -> String {
     let field = app.field();
     match field.published() {
         Some(range) => format!(

@@ -11,7 +11,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the list with its heading; it scrolls so that the selected layout is seen.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let layouts = &app.project().layouts;
     let title = if layouts.len() > usize::from(area.height.saturating_sub(1)) {
         format!("layouts {}/{}", app.selected() + 1, layouts.len())
@@ -39,7 +39,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// First entry shown of a list so that the selected one is seen, near the middle.
-pub fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
+pub(crate) fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
     selected.saturating_sub(rows / 2).min(count.saturating_sub(rows))
 }
 

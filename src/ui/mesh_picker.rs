@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 const RECORD: u16 = 8;
 
 /// Draws the list over the whole area.
-pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
     clear(buf, area);
     let meshes = app.meshes();
     heading(buf, area, "mesh of this layout", &format!("{} of {}", index + 1, meshes.len()), theme);

@@ -18,28 +18,28 @@
 //! sentences and points along the curve stand below the answer. Below 80x24 [`compact`] takes over,
 //! below 40x12 one line says so.
 
-pub mod answer;
-pub mod canvas;
-pub mod chart;
-pub mod check;
-pub mod compact;
-pub mod confirm;
-pub mod contours;
-pub mod export;
-pub mod hint;
-pub mod inputs;
-pub mod layouts;
-pub mod mesh_picker;
-pub mod open;
-pub mod page;
-pub mod plan;
-pub mod ratios;
-pub mod settings;
-pub mod studies;
-pub mod text;
-pub mod theme;
-pub mod tour;
-pub mod warnings;
+pub(crate) mod answer;
+pub(crate) mod canvas;
+pub(crate) mod chart;
+pub(crate) mod check;
+pub(crate) mod compact;
+pub(crate) mod confirm;
+pub(crate) mod contours;
+pub(crate) mod export;
+pub(crate) mod hint;
+pub(crate) mod inputs;
+pub(crate) mod layouts;
+pub(crate) mod mesh_picker;
+pub(crate) mod open;
+pub(crate) mod page;
+pub(crate) mod plan;
+pub(crate) mod ratios;
+pub(crate) mod settings;
+pub(crate) mod studies;
+pub(crate) mod text;
+pub(crate) mod theme;
+pub(crate) mod tour;
+pub(crate) mod warnings;
 
 use crate::app::{App, Mode};
 use ratatui::buffer::Buffer;
@@ -48,7 +48,7 @@ use text::{below, heading};
 use theme::Theme;
 
 /// Columns and rows below which only a line of text is shown.
-pub const SMALLEST: (u16, u16) = (40, 12);
+pub(crate) const SMALLEST: (u16, u16) = (40, 12);
 /// Columns and rows of the full screen.
 const FULL: (u16, u16) = (80, 24);
 /// Columns and rows from which more is shown.

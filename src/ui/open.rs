@@ -4,7 +4,7 @@ use super::inputs::typed_text;
 use super::layouts::first_shown;
 use super::text::{clear, cut, heading, put};
 use super::theme::Theme;
-use crate::app::open::{Found, Picker};
+use crate::app::open::{FoundProject, Picker};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::path::Path;
@@ -13,7 +13,7 @@ use std::path::Path;
 const NAME: usize = 26;
 
 /// Draws the list over the whole area.
-pub fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme) {
     clear(buf, area);
     let matches = picker.matches();
     let count = format!("{} of {}", matches.len(), picker.found.len());
@@ -62,7 +62,7 @@ pub fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// A line of the list: name, what is to be known of it, folder.
-fn entry(found: &Found) -> String {
+fn entry(found: &FoundProject) -> String {
     let path = Path::new(&found.shown);
     let name = path.file_name().map_or_else(|| found.shown.clone(), |n| n.to_string_lossy().into());
     let folder = path.parent().map(|p| p.display().to_string()).unwrap_or_default();

@@ -7,7 +7,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the page over the whole area.
-pub fn draw(app: &App, word: &str, scroll: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(
+    app: &App,
+    word: &str,
+    scroll: usize,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) {
     clear(buf, area);
     heading(buf, area, word, "", theme);
     let lines = app.page_lines();

@@ -1,6 +1,6 @@
 //! The cell from above: anchor plates and punch to scale, and the direction of the net.
 
-use super::canvas::{Canvas, Pattern, Pen};
+use super::canvas::{Canvas, DotPen, Pattern};
 use super::contours;
 use super::text::{below, heading, put};
 use super::theme::Theme;
@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use std::f64::consts::TAU;
 
 /// Draws the plan with its heading. x runs to the right, y up, along the twists.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "cell, twists || y", "", theme);
     let room = below(area, 1);
     if room.height < 3 || room.width < 10 {
@@ -30,7 +30,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     canvas.show(buf);
     if let Some(shown) = app.shown_check() {
         // Where the first wire of each run broke; the middle of the bond in the flat net.
-        for broken in &shown.verdict.breaks {
+        for broken in &shown.result.breaks {
             let (x, y) = view.dot(broken.place[0], broken.place[1]);
             let (w, h) = canvas.dots();
             let column = (x / f64::from(w) * f64::from(plan.width)) as u16;
@@ -72,7 +72,7 @@ impl View {
 
 /// The plates fill the view's corners: it reaches from the outer edge of one to that of the next.
 fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
-    let pen = Pen { style: theme.title, pattern: Pattern::Solid, ascii: Some('#') };
+    let pen = DotPen { style: theme.title, pattern: Pattern::Solid, ascii: Some('#') };
     let part = layout.plate / view.reach;
     let (width, height) = canvas.dots();
     // A plate smaller than a dot is still one dot; in ASCII a sign is three dots high.
@@ -91,7 +91,7 @@ fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
 
 /// The outline of the punch and of its images in the neighbouring cells, and its centre.
 fn punch(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
-    let outline = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: Some('o') };
+    let outline = DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: Some('o') };
     let (ex, ey) = layout.folded();
     let radius = layout.punch / 2.0;
     let reach = view.reach / 2.0;
@@ -108,7 +108,7 @@ fn punch(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
             });
             canvas.line(circle, outline);
             let (x, y) = view.dot(cx, cy);
-            canvas.dot(x.floor() as i32, y.floor() as i32, Pen { ascii: Some('+'), ..outline });
+            canvas.dot(x.floor() as i32, y.floor() as i32, DotPen { ascii: Some('+'), ..outline });
         }
     }
 }

@@ -8,7 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the four ratios with their heading; with more rows the values they lead from and to.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "laboratory to field", "", theme);
     let list = below(area, 1);
     let Some(forecast) = app.result().forecast() else { return };

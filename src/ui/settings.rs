@@ -3,18 +3,18 @@
 use super::text::{clear, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::settings::{Item, Settings};
+use crate::app::settings::{SettingItem, Settings};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the list over the whole area.
-pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
     clear(buf, area);
     heading(buf, area, "settings, for all projects", "", theme);
     let columns = usize::from(area.width);
     let preferences = app.preferences();
     let default = Settings::default();
-    for (row, item) in Item::ALL.into_iter().enumerate() {
+    for (row, item) in SettingItem::ALL.into_iter().enumerate() {
         let word = app.settings().word(item);
         let from = if preferences.is_flag(item) {
             "flag"
@@ -43,7 +43,7 @@ pub fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme
         );
         lines.extend(trouble.lines().map(str::to_string));
     }
-    let top = 2 + Item::ALL.len() as u16;
+    let top = 2 + SettingItem::ALL.len() as u16;
     let width = columns.saturating_sub(4).max(10);
     let wrapped = lines.iter().flat_map(|line| textwrap::wrap(line, width));
     let rows = usize::from(area.height.saturating_sub(top));

@@ -7,12 +7,19 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 /// Columns a text takes.
-pub fn width(text: &str) -> u16 {
+pub(crate) fn width(text: &str) -> u16 {
     UnicodeWidthStr::width(text).min(usize::from(u16::MAX)) as u16
 }
 
 /// Puts a text at a row and column of an area, cut at its edge. Returns the column behind it.
-pub fn put(buf: &mut Buffer, area: Rect, row: u16, column: u16, text: &str, style: Style) -> u16 {
+pub(crate) fn put(
+    buf: &mut Buffer,
+    area: Rect,
+    row: u16,
+    column: u16,
+    text: &str,
+    style: Style,
+) -> u16 {
     let area = area.intersection(buf.area);
     if row >= area.height || column >= area.width {
         return column;
@@ -23,12 +30,12 @@ pub fn put(buf: &mut Buffer, area: Rect, row: u16, column: u16, text: &str, styl
 }
 
 /// Puts a text so that it ends at the right edge of an area.
-pub fn put_right(buf: &mut Buffer, area: Rect, row: u16, text: &str, style: Style) {
+pub(crate) fn put_right(buf: &mut Buffer, area: Rect, row: u16, text: &str, style: Style) {
     put(buf, area, row, area.width.saturating_sub(width(text)), text, style);
 }
 
 /// A heading: a rule with a word in it, and one at its right end.
-pub fn heading(buf: &mut Buffer, area: Rect, word: &str, right: &str, theme: &Theme) {
+pub(crate) fn heading(buf: &mut Buffer, area: Rect, word: &str, right: &str, theme: &Theme) {
     if area.is_empty() {
         return;
     }
@@ -42,7 +49,7 @@ pub fn heading(buf: &mut Buffer, area: Rect, word: &str, right: &str, theme: &Th
 }
 
 /// Fills an area with blanks.
-pub fn clear(buf: &mut Buffer, area: Rect) {
+pub(crate) fn clear(buf: &mut Buffer, area: Rect) {
     for y in area.top()..area.bottom().min(buf.area.bottom()) {
         for x in area.left()..area.right().min(buf.area.right()) {
             buf[(x, y)].reset();
@@ -51,13 +58,13 @@ pub fn clear(buf: &mut Buffer, area: Rect) {
 }
 
 /// The part of an area below its first `rows` rows.
-pub fn below(area: Rect, rows: u16) -> Rect {
+pub(crate) fn below(area: Rect, rows: u16) -> Rect {
     let rows = rows.min(area.height);
     Rect { y: area.y + rows, height: area.height - rows, ..area }
 }
 
 /// A text cut to a width, with `..` where something is missing.
-pub fn cut(text: &str, columns: usize) -> String {
+pub(crate) fn cut(text: &str, columns: usize) -> String {
     if UnicodeWidthStr::width(text) <= columns {
         return text.to_string();
     }

@@ -6,38 +6,38 @@ use ratatui::style::{Color, Modifier, Style};
 
 /// The styles of a look.
 #[derive(Debug, Clone, Copy)]
-pub struct Theme {
+pub(crate) struct Theme {
     /// Ordinary text.
-    pub text: Style,
+    pub(crate) text: Style,
     /// Headings and rules.
-    pub heading: Style,
+    pub(crate) heading: Style,
     /// The title line.
-    pub title: Style,
+    pub(crate) title: Style,
     /// What is selected.
-    pub selected: Style,
+    pub(crate) selected: Style,
     /// The selected layout's curve and its answer.
-    pub forecast: Style,
+    pub(crate) forecast: Style,
     /// The check by simulation.
-    pub check: Style,
+    pub(crate) check: Style,
     /// Overlaid curves.
-    pub overlay: Style,
+    pub(crate) overlay: Style,
     /// The laboratory curve.
-    pub laboratory: Style,
+    pub(crate) laboratory: Style,
     /// Design lines.
-    pub design: Style,
+    pub(crate) design: Style,
     /// What to distrust.
-    pub caution: Style,
+    pub(crate) caution: Style,
     /// What was refused.
-    pub error: Style,
+    pub(crate) error: Style,
     /// A key in the hint bar.
-    pub key: Style,
+    pub(crate) key: Style,
     /// Signs for charts and rules.
-    pub glyphs: Glyphs,
+    pub(crate) glyphs: Glyphs,
 }
 
 impl Theme {
     /// The theme of a look.
-    pub fn new(look: Look) -> Theme {
+    pub(crate) fn new(look: Look) -> Theme {
         let plain = Style::new();
         let bold = plain.add_modifier(Modifier::BOLD);
         let reverse = plain.add_modifier(Modifier::REVERSED);
@@ -63,7 +63,7 @@ impl Theme {
     }
 
     /// The sign that rules are drawn with.
-    pub fn rule(&self) -> &'static str {
+    pub(crate) fn rule(&self) -> &'static str {
         match self.glyphs {
             Glyphs::Ascii => "-",
             _ => "─",
@@ -71,7 +71,7 @@ impl Theme {
     }
 
     /// The sign of a vertical axis.
-    pub fn upright(&self) -> &'static str {
+    pub(crate) fn upright(&self) -> &'static str {
         match self.glyphs {
             Glyphs::Ascii => "|",
             _ => "│",
@@ -79,7 +79,7 @@ impl Theme {
     }
 
     /// The sign where both axes meet.
-    pub fn corner(&self) -> &'static str {
+    pub(crate) fn corner(&self) -> &'static str {
         match self.glyphs {
             Glyphs::Ascii => "+",
             _ => "└",

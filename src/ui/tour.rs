@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 const WIDEST: u16 = 60;
 
 /// Draws a screen of the tour in the middle of the area, or over all of a small one.
-pub fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let stops = stops();
     let Some(shown) = stops.get(stop) else { return };
     let width = area.width.min(WIDEST);

@@ -8,7 +8,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws the warnings, as many lines as fit.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "to know", "", theme);
     let list = below(area, 1);
     let Some(forecast) = app.result().forecast() else { return };
@@ -27,10 +27,10 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// Columns of the table along the curve.
-pub const TABLE: u16 = 48;
+pub(crate) const TABLE: u16 = 48;
 
 /// Draws force, stiffness and energy at parts of the failure deflection.
-pub fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "along the curve", "", theme);
     let list = below(area, 1);
     let Some(field) = app.result().forecast().and_then(|f| f.field) else { return };

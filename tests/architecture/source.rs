@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// A file of `src/`.
-pub struct SourceFile {
+pub(crate) struct SourceFile {
     /// Path from the package's top, for messages.
     pub path: String,
     /// The room: first part of the path below `src/`, without an ending.
@@ -16,7 +16,7 @@ pub struct SourceFile {
 }
 
 /// All files of `src/`.
-pub fn files() -> Vec<SourceFile> {
+pub(crate) fn files() -> Vec<SourceFile> {
     let top = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
     gather(&top.join("src"), top, &mut found);
@@ -45,7 +45,7 @@ impl SourceFile {
     }
 
     /// Lines of code that hold one of the words, as messages.
-    pub fn lines_with_a_word(&self, words: &[&str]) -> Vec<String> {
+    pub(crate) fn lines_with_a_word(&self, words: &[&str]) -> Vec<String> {
         let mut found = Vec::new();
         for (index, line) in self.code.lines().enumerate() {
             for word in words {
@@ -58,12 +58,12 @@ impl SourceFile {
     }
 
     /// Whether the code names a module of the standard library, alone or in a group.
-    pub fn uses_std(&self, module: &str) -> bool {
+    pub(crate) fn uses_std(&self, module: &str) -> bool {
         children_of(&self.code, "std").iter().any(|name| name == module)
     }
 
     /// Names right below `crate` in the code.
-    pub fn rooms_used(&self) -> Vec<String> {
+    pub(crate) fn rooms_used(&self) -> Vec<String> {
         let mut used = children_of(&self.code, "crate");
         used.sort();
         used.dedup();

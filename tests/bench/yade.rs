@@ -5,7 +5,7 @@
 //!
 //! `cargo bench --bench yade`
 
-use meshcast::dem::{Controls, Fidelity, Flow, Outcome, PLAIN_PHASE, SceneSpec, Test, check};
+use meshcast::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, SceneSpec, Test, check};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
 use meshcast::study::bench::force_at;
@@ -55,7 +55,7 @@ fn curve(text: &str) -> Vec<(f64, f64)> {
 }
 
 /// The run and its processor time, s, the best of several.
-fn timed(spec: &SceneSpec, controls: &Controls, times: usize) -> (Outcome, f64) {
+fn timed(spec: &SceneSpec, controls: &Controls, times: usize) -> (RunOutcome, f64) {
     let once = || {
         let start = thread_seconds();
         let outcome = check(spec, controls, &mut |_| Flow::Continue).expect("the scene is sound");

@@ -1,12 +1,12 @@
 //! Kept checks in what is exported: the same numbers, how to make them again, and whether they are stale.
 
 use meshcast::dem::{Fidelity, Flow};
-use meshcast::export::{Kind, Source};
+use meshcast::export::{ExportKind, ReportSource};
 use meshcast::layout::Layout;
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::{NamedLayout, Project};
-use meshcast::study::verdict::Wanted;
-use meshcast::study::verdict::make::make;
+use meshcast::study::result::Wanted;
+use meshcast::study::result::make::make;
 use meshcast::units::{LengthUnit, significant, to_kn};
 use std::sync::Arc;
 
@@ -21,35 +21,35 @@ fn checked() -> Project {
     let mesh = project.mesh(&project.layouts[0]).unwrap();
     let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 5 };
     let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
-    project.layouts[0].check = Some(Arc::new(made.verdict));
+    project.layouts[0].check = Some(Arc::new(made.result));
     project
 }
 
-fn text(kind: Kind, project: &Project) -> String {
-    let source = Source { file_name: "small.ron", text: None, edited: false };
+fn text(kind: ExportKind, project: &Project) -> String {
+    let source = ReportSource { file_name: "small.ron", text: None, edited: false };
     kind.text(project, 0, source, LengthUnit::Metre).unwrap()
 }
 
 #[test]
 fn a_kept_check_is_in_every_export_that_can_show_it() {
     let project = checked();
-    let verdict = project.layouts[0].check.clone().unwrap();
-    let force = significant(to_kn(verdict.force.mean), 3);
-    for kind in [Kind::ReportHtml, Kind::ReportMarkdown] {
+    let result = project.layouts[0].check.clone().unwrap();
+    let force = significant(to_kn(result.force.mean), 3);
+    for kind in [ExportKind::ReportHtml, ExportKind::ReportMarkdown] {
         let report = text(kind, &project);
         let small = report.to_lowercase();
         assert!(small.contains("check by simulation, 2 runs, quick"), "{kind:?}");
-        assert!(report.contains(&force) && report.contains(&verdict.inputs.to_string()));
+        assert!(report.contains(&force) && report.contains(&result.inputs.to_string()));
         assert!(report.contains("--fidelity quick --runs 2 --seed 5"), "how to make it again");
         assert!(report.contains("estimated error of the curve"));
         assert!(!report.contains("stale"));
     }
-    assert!(text(Kind::Chart, &project).contains("check by simulation"));
-    let table = text(Kind::Table, &project);
+    assert!(text(ExportKind::Chart, &project).contains("check by simulation"));
+    let table = text(ExportKind::Table, &project);
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
     let number: f64 = rows[1][column("dem_F_kN")].parse().unwrap();
-    assert_eq!(number, to_kn(verdict.force.mean));
+    assert_eq!(number, to_kn(result.force.mean));
     assert_eq!((rows[1][column("dem_runs")], rows[1][column("dem_stale")]), ("2", "false"));
     assert_eq!((rows[2][column("dem_F_kN")], rows[2][column("dem_stale")]), ("", ""));
 }
@@ -58,10 +58,10 @@ fn a_kept_check_is_in_every_export_that_can_show_it() {
 fn a_check_of_other_inputs_is_marked_stale_everywhere() {
     let mut project = checked();
     project.layouts[0].spacing = 1.35;
-    for kind in [Kind::ReportHtml, Kind::ReportMarkdown, Kind::Chart] {
+    for kind in [ExportKind::ReportHtml, ExportKind::ReportMarkdown, ExportKind::Chart] {
         assert!(text(kind, &project).contains("stale"), "{kind:?}");
     }
-    let table = text(Kind::Table, &project);
+    let table = text(ExportKind::Table, &project);
     assert!(table.lines().nth(1).unwrap().contains(",true,"), "{table}");
 }
 

@@ -50,7 +50,7 @@ fn corners(node: &Node) -> Vec<(f64, f64)> {
 }
 
 /// Fails where a picture is not well-formed, leaves its frame, or names something outside itself.
-pub fn assert_sound(svg: &str) {
+pub(crate) fn assert_sound(svg: &str) {
     let document = Document::parse(svg).expect("a picture is well-formed XML");
     let root = document.root_element();
     let frame: Vec<f64> =

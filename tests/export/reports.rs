@@ -1,12 +1,12 @@
 //! Reports: whole, well-formed, safe whatever a name holds, the same every time.
 
 use super::{ODD, good, keep, odd, projects};
-use meshcast::export::{Case, Check, Report, Source};
+use meshcast::export::{Case, Check, Report, ReportSource};
 use meshcast::project::Project;
 use roxmltree::{Document, Node, ParsingOptions};
 
 fn report<'a>(project: &'a Project, cases: &'a [Case], checks: &'a [Option<Check>]) -> Report<'a> {
-    let source = Source { file_name: "it's odd.ron", text: Some(ODD), edited: false };
+    let source = ReportSource { file_name: "it's odd.ron", text: Some(ODD), edited: false };
     Report { project, cases, checks, source, unit: project.display.length_unit }
 }
 
@@ -117,7 +117,7 @@ fn edits_that_are_not_in_the_file_are_told() {
     assert!(!report.html().contains("not saved"));
     report.source.edited = true;
     assert!(report.html().contains("not saved"));
-    report.source = Source { file_name: "", text: None, edited: false };
+    report.source = ReportSource { file_name: "", text: None, edited: false };
     let text = read(&report.html());
     assert!(text.contains("not saved") && !text.contains("sha256sum"));
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The `.ron` files of a directory of the source tree, in the order of their names.
-pub fn files(dir: &str) -> Vec<PathBuf> {
+pub(crate) fn files(dir: &str) -> Vec<PathBuf> {
     let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join(dir);
     let mut list: Vec<PathBuf> =
         fs::read_dir(dir).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -15,7 +15,7 @@ pub fn files(dir: &str) -> Vec<PathBuf> {
     list
 }
 
-pub fn sample(name: &str) -> Opened {
+pub(crate) fn sample(name: &str) -> Opened {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects").join(name);
     project::load(&path).unwrap_or_else(|e| panic!("{e}"))
 }

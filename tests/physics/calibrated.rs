@@ -3,13 +3,13 @@
 
 use meshcast::dem::Flow;
 use meshcast::mesh::{catalogue, laws};
-use meshcast::study::calibrate::{Options, Target, fit};
+use meshcast::study::calibrate::{FitOptions, FitTarget, fit};
 
 #[test]
 fn the_catalogue_has_the_wires_of_a_calibration() {
     let mesh = catalogue::reference();
-    let target = Target { force: 73_300.0, deflection: 0.6, panel: 3.0, punch: 1.0 };
-    let options = Options { threads: 2, ..Options::default() };
+    let target = FitTarget { force: 73_300.0, deflection: 0.6, panel: 3.0, punch: 1.0 };
+    let options = FitOptions { threads: 2, ..FitOptions::default() };
     let fit = fit(&laws::reference(), &target, &options, &|_, _| Flow::Continue).unwrap().unwrap();
     assert!(fit.found, "{:?}", fit.residual);
     // The file's curves have seven digits, its source four of each scale.

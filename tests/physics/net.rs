@@ -4,7 +4,7 @@ use crate::published;
 use meshcast::dem::fast::{Fast, FastOptions, Path};
 use meshcast::dem::inertia::StepFactors;
 use meshcast::dem::lattice::{Lattice, Role, bond_of};
-use meshcast::dem::stepper::{Block, Stepper};
+use meshcast::dem::stepper::{StepBlock, Stepper};
 use meshcast::dem::{Scene, Test};
 use meshcast::mesh::laws;
 use serde_json::Value;
@@ -122,9 +122,10 @@ fn the_same_net_under_another_alignment_gives_the_same_forces() {
     };
     let (one, other) = (forces([0.125, 0.25]), forces([0.625, 0.75]));
     let another = forces([0.625, 0.25]);
-    let largest = |of: &[Block], to: &[Block]| {
-        let gap =
-            |(a, b): (&Block, &Block)| (a.punch - b.punch).abs().max((a.support - b.support).abs());
+    let largest = |of: &[StepBlock], to: &[StepBlock]| {
+        let gap = |(a, b): (&StepBlock, &StepBlock)| {
+            (a.punch - b.punch).abs().max((a.support - b.support).abs())
+        };
         of.iter().zip(to).map(gap).fold(0.0, f64::max)
     };
     let most = one.iter().map(|b| b.punch).fold(0.0, f64::max);

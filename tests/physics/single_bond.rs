@@ -3,7 +3,7 @@
 
 use crate::{published, table};
 use meshcast::dem::fast::kernel::DomeHeights;
-use meshcast::dem::fast::state::{PAD, State};
+use meshcast::dem::fast::state::{NetState, PAD};
 use meshcast::dem::fast::{Kernel, Path};
 use meshcast::dem::inertia::PairInertia;
 use meshcast::dem::lattice::{Role, bond_number};
@@ -193,7 +193,7 @@ fn kernel<R: Kernel>(
         Unloading::Soft => [single.steepest(), twist.steepest()],
     };
     let still = vec![PairInertia::default(); scene.lattice.pairs()];
-    let mut state = State::<R>::new(&scene, &still, unloading, 1.0);
+    let mut state = NetState::<R>::new(&scene, &still, unloading, 1.0);
     let (row, column) = (scene.lattice.rows - 1, 5);
     let at = state.at(row, column);
     if single_values && state.uniform {

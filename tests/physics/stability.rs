@@ -10,7 +10,7 @@ use meshcast::dem::lattice::{Role, bond_of};
 use meshcast::dem::run::drive;
 use meshcast::dem::stability::Eigenvalues;
 use meshcast::dem::stepper::Stepper;
-use meshcast::dem::{Controls, Fidelity, Flow, Outcome, Scene, SceneSpec, Stop, Test, check};
+use meshcast::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check};
 use meshcast::layout::Layout;
 use meshcast::mesh::laws;
 
@@ -43,7 +43,7 @@ fn quick_controls(step_factor: f64) -> Controls {
     Controls { fidelity: Fidelity::Quick, step_factor, after_break: 0.0, ..Controls::default() }
 }
 
-fn quick(spec: &SceneSpec, step_factor: f64) -> Outcome {
+fn quick(spec: &SceneSpec, step_factor: f64) -> RunOutcome {
     check(spec, &quick_controls(step_factor), &mut |_| Flow::Continue).unwrap()
 }
 
@@ -189,7 +189,7 @@ fn a_step_beyond_the_bound_computed_for_the_scene_is_refused_with_that_bound() {
 }
 
 /// A run of the quick fidelity with its step `factor` times the scene's own stability bound.
-fn beyond(scene: &Scene, own: &Scheme, factor: f64) -> Outcome {
+fn beyond(scene: &Scene, own: &Scheme, factor: f64) -> RunOutcome {
     let bound = Eigenvalues::of_scene(scene, false, own.factors).largest_factor(own.damping);
     let mut scheme = *own;
     scheme.factors.translation *= factor * bound;
@@ -206,7 +206,7 @@ fn beyond(scene: &Scene, own: &Scheme, factor: f64) -> Outcome {
 }
 
 /// Whether a run says of itself that it is not to be believed.
-fn noticed(outcome: &Outcome) -> bool {
+fn noticed(outcome: &RunOutcome) -> bool {
     outcome.stop == Stop::Diverged || outcome.sudden()
 }
 

@@ -4,7 +4,7 @@
 use crate::{published, table};
 use meshcast::dem::plain::{Damping, Inertia, Plain};
 use meshcast::dem::run::drive;
-use meshcast::dem::{Controls, Fidelity, Flow, Outcome, Scene, Stop, Test, check};
+use meshcast::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, Stop, Test, check};
 use meshcast::mesh::laws;
 use serde_json::Value;
 
@@ -21,7 +21,7 @@ fn curve(text: &str, end: f64) -> Vec<(f64, f64)> {
 }
 
 /// Largest difference of two curves over the largest published force, and where it is.
-fn gap(ours: &Outcome, published: &[(f64, f64)]) -> (f64, f64) {
+fn gap(ours: &RunOutcome, published: &[(f64, f64)]) -> (f64, f64) {
     let (xs, ys) = (&ours.curve.deflection, &ours.curve.force);
     let most = published.iter().map(|p| p.1).fold(0.0, f64::max);
     let mut worst = (0.0, 0.0);
@@ -62,7 +62,7 @@ fn texts(test: Test) -> (&'static str, &'static str) {
     }
 }
 
-fn compare(test: Test, ours: &Outcome) -> Compared {
+fn compare(test: Test, ours: &RunOutcome) -> Compared {
     // First breaks as published, to three digits; the scene files have all of them.
     let (text, file) = texts(test);
     let (force, deflection) =
@@ -99,7 +99,7 @@ fn compare(test: Test, ours: &Outcome) -> Compared {
 }
 
 /// The fast solver in double precision with the true unloading.
-fn fast(test: Test, travel: f64) -> Outcome {
+fn fast(test: Test, travel: f64) -> RunOutcome {
     let controls = Controls {
         fidelity: Fidelity::Reference,
         speed: Some(travel),
@@ -110,7 +110,7 @@ fn fast(test: Test, travel: f64) -> Outcome {
 }
 
 /// Places of the broken bonds' middles, from the panel's corner, m.
-fn places(test: Test, ours: &Outcome) -> Vec<[f64; 2]> {
+fn places(test: Test, ours: &RunOutcome) -> Vec<[f64; 2]> {
     let scene = Scene::new(&published(test, laws::yade())).unwrap();
     ours.breaks.iter().map(|b| scene.lattice.middle(b.number)).collect()
 }

@@ -6,8 +6,8 @@ use meshcast::layout::{BranchRule, Layout};
 use meshcast::mesh::MeshType;
 use meshcast::study::case::{Case, Input};
 use meshcast::study::sensitivity::{Change, Sensitivity, cases, sensitivity};
-use meshcast::study::solve::{Kind, Requirement, solve};
-use meshcast::study::sweep::{Axis, Grid, sweep};
+use meshcast::study::solve::{Requirement, RequirementKind, solve};
+use meshcast::study::sweep::{Grid, SweepAxis, sweep};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ proptest! {
         for (step, case) in steps.zip(cases(&base)) {
             prop_assert_eq!(&step.outcome, &case.outcome());
         }
-        let axis = |input, from, to| Axis { input, from, to, steps: 4 };
+        let axis = |input, from, to| SweepAxis { input, from, to, steps: 4 };
         let second = Some(axis(Input::LabDeflection, 0.3, 0.9));
         let grid = Grid::new(axis(Input::Spacing, 0.5, 6.0), second).unwrap();
         for (index, point) in sweep(&base, grid.clone()).points.iter().enumerate() {
@@ -108,7 +108,7 @@ proptest! {
                     if requirement == Requirement::Force {
                         let used = point.utilisation().unwrap();
                         prop_assert!(used <= 1.0);
-                        if c.kind == Kind::Exact {
+                        if c.kind == RequirementKind::Exact {
                             prop_assert!(close(used, 1.0, 1e-9), "{used}");
                         }
                     }

@@ -4,7 +4,7 @@
 use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::checks::Standing;
-use meshcast::app::message::{Effect, Message};
+use meshcast::app::message::{Command, Message};
 use meshcast::curve::Point;
 use meshcast::job::News;
 use meshcast::job::order::{Progress, Task, What};
@@ -27,8 +27,8 @@ fn a_check_is_kept_goes_stale_and_comes_back() {
     assert!(app.edited(), "a check that was asked for is kept with the project");
     let shown = app.shown_check().unwrap();
     assert_eq!(shown.standing, Standing::Current);
-    assert_eq!(shown.verdict.runs, 2);
-    let force = shown.verdict.force.mean;
+    assert_eq!(shown.result.runs, 2);
+    let force = shown.result.force.mean;
     assert!(shown.relief.is_some());
     press(&mut app, "<Down><Right>");
     assert!(app.shown_check().unwrap().stale());
@@ -38,7 +38,7 @@ fn a_check_is_kept_goes_stale_and_comes_back() {
     // Undoing past the check takes the inputs back and not the result.
     press(&mut app, "<Right>");
     check(&mut app, "c");
-    assert_ne!(app.shown_check().unwrap().verdict.force.mean, force);
+    assert_ne!(app.shown_check().unwrap().result.force.mean, force);
     press(&mut app, "u");
     assert!(app.shown_check().unwrap().stale(), "the newer result belongs to the other value");
     press(&mut app, "U");
@@ -82,7 +82,7 @@ fn live_checks_follow_edits_and_leave_the_project_alone() {
     assert_eq!(check(&mut app, "n<Esc>?q"), 0);
     // Of two edits the newer order is the one whose result is shown.
     let first = press(&mut app, "<Down><Right>");
-    let [Effect::Work(first)] = &first[..] else { panic!("{first:?}") };
+    let [Command::Work(first)] = &first[..] else { panic!("{first:?}") };
     assert!(app.shown_check().unwrap().stale(), "the old result is not the new inputs'");
     let second = press(&mut app, "<Right>");
     for late in news(first) {
@@ -104,7 +104,7 @@ fn live_checks_follow_edits_and_leave_the_project_alone() {
 fn escape_ends_what_runs_and_what_is_done_is_kept() {
     let mut app = app();
     let effects = press(&mut app, "c");
-    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
     let uid = app.layout().uid;
     let progress = Progress {
         uid,
@@ -119,7 +119,7 @@ fn escape_ends_what_runs_and_what_is_done_is_kept() {
     let bottom = text(&app).lines().last().unwrap().to_string();
     assert_eq!(bottom, " checking one: 1 of 2 runs, 50 %, 3 s left; Esc ends it");
     let effects = press(&mut app, "<Esc>");
-    assert!(matches!(&effects[..], [Effect::StopWork]));
+    assert!(matches!(&effects[..], [Command::StopWork]));
     // The worker does what it is told: here the first run is done and the second is not.
     let mut short = order.clone();
     let Task::Checks(checks) = &mut short.task else { panic!("{short:?}") };
@@ -131,7 +131,7 @@ fn escape_ends_what_runs_and_what_is_done_is_kept() {
         };
         app.update(Message::Work(News { what, ..news }));
     }
-    assert_eq!(app.shown_check().unwrap().verdict.runs, 1);
+    assert_eq!(app.shown_check().unwrap().result.runs, 1);
     assert!(app.running().is_none());
     let effects = press(&mut app, "<C-g>");
     assert!(effects.is_empty(), "there is nothing to end any more");
@@ -142,7 +142,7 @@ fn escape_ends_what_runs_and_what_is_done_is_kept() {
 fn a_fault_in_the_worker_leaves_the_program_ready() {
     let mut app = app();
     let effects = press(&mut app, "c");
-    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
     app.update(Message::Trouble("a part of the program failed and was stopped".into()));
     app.update(Message::Work(News { number: order.number, what: What::Failed }));
     assert!(app.running().is_none());
@@ -172,7 +172,7 @@ fn screens_with_a_check() {
 fn a_check_grows_on_the_chart_while_it_runs() {
     let mut app = app();
     let effects = press(&mut app, "c");
-    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
     let before = text(&app);
     let point = |k: usize| Point { deflection: 0.05 * k as f64, force: 3_000.0 * k as f64 };
     let progress = Progress {

@@ -1,9 +1,9 @@
 //! The screens around the work, by key script: settings, opening another project.
 
 use crate::harness::*;
-use meshcast::app::message::{Effect, Message};
-use meshcast::app::open::{Found, OpenFailure, OpenedProject};
-use meshcast::app::settings::{Item, Preferences};
+use meshcast::app::message::{Command, Message};
+use meshcast::app::open::{FoundProject, OpenFailure, OpenedProject};
+use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
 use meshcast::project::schema::Project;
@@ -39,7 +39,7 @@ fn settings_hold_at_once_and_are_kept() {
     let mut app = app();
     let effects = press(&mut app, ":set fidelity quick<Enter>");
     assert!(
-        matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.fidelity == Fidelity::Quick)
+        matches!(&effects[..], [Command::KeepSettings { settings }] if settings.fidelity == Fidelity::Quick)
     );
     assert_eq!(app.settings().fidelity, Fidelity::Quick);
     press(&mut app, ":set units mm<Enter>");
@@ -58,7 +58,7 @@ fn settings_hold_at_once_and_are_kept() {
 #[test]
 fn the_screen_of_settings() {
     let preferences = Preferences {
-        flags: vec![(Item::Fidelity, "fine".into())],
+        flags: vec![(SettingItem::Fidelity, "fine".into())],
         file: Some("/home/anna/.config/meshcast/settings.ron".into()),
         auto: MONO,
         ..Preferences::default()
@@ -70,9 +70,9 @@ fn the_screen_of_settings() {
     // The arrow goes on from what the flag says; the flag is gone then.
     let effects = press(&mut app, "<Left>");
     assert!(
-        matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.fidelity == Fidelity::Standard)
+        matches!(&effects[..], [Command::KeepSettings { settings }] if settings.fidelity == Fidelity::Standard)
     );
-    assert!(!app.preferences().is_flag(Item::Fidelity));
+    assert!(!app.preferences().is_flag(SettingItem::Fidelity));
     press(&mut app, "jj<Right>q");
     assert!(app.settings().live);
     assert!(matches!(app.mode(), Mode::Main));
@@ -80,11 +80,11 @@ fn the_screen_of_settings() {
 
 #[test]
 fn a_flag_is_never_kept() {
-    let flags = vec![(Item::Units, "mm".into()), (Item::Runs, "3".into())];
+    let flags = vec![(SettingItem::Units, "mm".into()), (SettingItem::Runs, "3".into())];
     let mut app = with(Preferences { flags, ..Preferences::default() });
     assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
     let effects = press(&mut app, ":set live on<Enter>");
-    let [Effect::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
     assert_eq!(app.settings().runs, Some(3));
 }
@@ -119,14 +119,14 @@ fn a_bad_file_of_settings_is_told_in_full() {
     assert!(text(&app).contains("! no room"));
 }
 
-fn found(shown: &str, recent: bool, missing: bool, current: bool) -> Found {
+fn found(shown: &str, recent: bool, missing: bool, current: bool) -> FoundProject {
     let path = PathBuf::from("/site").join(shown);
-    Found { path, shown: shown.into(), recent, missing, current }
+    FoundProject { path, shown: shown.into(), recent, missing, current }
 }
 
 /// The list of projects, open, with its answer.
 fn with_list(app: &mut App) {
-    assert!(matches!(press(app, "O")[..], [Effect::ListProjects]));
+    assert!(matches!(press(app, "O")[..], [Command::ListProjects]));
     app.update(Message::Projects(vec![
         found("road-cut.ron", true, false, true),
         found("old/gone.ron", true, true, false),
@@ -136,8 +136,8 @@ fn with_list(app: &mut App) {
     ]));
 }
 
-fn opens(effects: &[Effect]) -> &Path {
-    let [Effect::OpenProject { path }] = effects else { panic!("{effects:?}") };
+fn opens(effects: &[Command]) -> &Path {
+    let [Command::OpenProject { path }] = effects else { panic!("{effects:?}") };
     path
 }
 
@@ -196,7 +196,7 @@ fn saving_first_and_then_opening() {
     let mut app = app();
     press(&mut app, "<Right>:open north.ron<Enter>");
     let effects = press(&mut app, "s");
-    let [Effect::Save { project, path: None, overwrite: false }] = &effects[..] else {
+    let [Command::Save { project, path: None, overwrite: false }] = &effects[..] else {
         panic!("{effects:?}")
     };
     let saved = meshcast::app::message::Saved {
@@ -217,14 +217,14 @@ fn saving_first_and_then_opening() {
         };
         app.update(Message::Saved(Err(failure)));
         let effects = press(&mut app, answer);
-        let [Effect::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
+        let [Command::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
         let saved = meshcast::app::message::Saved {
             project: project.clone(),
             path: "/site/road-cut.ron".into(),
             note: None,
         };
         let effects = app.update(Message::Saved(Ok(saved)));
-        assert_eq!(matches!(effects[..], [Effect::OpenProject { .. }]), goes_on, "{answer}");
+        assert_eq!(matches!(effects[..], [Command::OpenProject { .. }]), goes_on, "{answer}");
     }
     // A save that fails opens nothing, then and later.
     let mut app = self::app();
@@ -237,7 +237,7 @@ fn saving_first_and_then_opening() {
     assert!(app.update(Message::Saved(Err(failure))).is_empty());
     assert!(text(&app).contains("! the disk is full"));
     let effects = press(&mut app, "<C-s>");
-    let [Effect::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::Save { project, .. }] = &effects[..] else { panic!("{effects:?}") };
     let saved = meshcast::app::message::Saved {
         project: project.clone(),
         path: "/site/road-cut.ron".into(),
@@ -257,7 +257,7 @@ fn a_project_that_cannot_be_opened_leaves_the_present_one() {
                    above 0, below 100 m"
         .to_string();
     let effects = app.update(Message::Opened(Err(OpenFailure { message })));
-    assert!(matches!(effects[..], [Effect::ListProjects]));
+    assert!(matches!(effects[..], [Command::ListProjects]));
     app.update(Message::Projects(vec![found("north/minor-works.ron", false, false, false)]));
     snapshot("open_failed", &app);
     press(&mut app, "<Esc>");
@@ -327,8 +327,8 @@ fn help_lies_over_every_screen_and_gives_it_back() {
 #[test]
 fn the_answer_the_table_and_the_page_are_copied() {
     let mut app = app();
-    let copied = |effects: Vec<Effect>| {
-        let [Effect::Copy { text }] = &effects[..] else { panic!("{effects:?}") };
+    let copied = |effects: Vec<Command>| {
+        let [Command::Copy { text }] = &effects[..] else { panic!("{effects:?}") };
         text.clone()
     };
     press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
@@ -370,7 +370,7 @@ fn the_tour_is_shown_once_in_at_most_five_screens() {
     }
     press(&mut app, "<Left><Right>");
     let effects = press(&mut app, "<Enter>");
-    assert!(matches!(&effects[..], [Effect::KeepSettings { settings }] if settings.tour_seen));
+    assert!(matches!(&effects[..], [Command::KeepSettings { settings }] if settings.tour_seen));
     assert!(matches!(app.mode(), Mode::Main));
     // Shown again when asked for; seen once is seen.
     press(&mut app, ":tour<Enter>");
@@ -381,7 +381,7 @@ fn the_tour_is_shown_once_in_at_most_five_screens() {
         let mut app = first_run();
         press(&mut app, "ax<Down>");
         assert_eq!(app.project().layouts.len(), 5);
-        assert!(matches!(press(&mut app, end)[..], [Effect::KeepSettings { .. }]));
+        assert!(matches!(press(&mut app, end)[..], [Command::KeepSettings { .. }]));
         assert!(matches!(app.mode(), Mode::Main));
     }
 }
@@ -404,14 +404,14 @@ fn the_tour_can_be_read_on_the_smallest_screen() {
 #[test]
 fn a_check_of_the_former_project_ends_when_another_is_opened() {
     let mut app = app();
-    assert!(matches!(press(&mut app, "c")[..], [Effect::Work(_)]));
+    assert!(matches!(press(&mut app, "c")[..], [Command::Work(_)]));
     press(&mut app, ":open north.ron<Enter>");
     let effects = app.update(Message::Opened(Ok(other())));
-    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+    assert!(effects.iter().any(|e| matches!(e, Command::StopWork)), "{effects:?}");
     assert!(app.running().is_none());
     // Live mode switched off in the settings ends what it runs, too.
     let effects = press(&mut app, "l");
-    assert!(effects.iter().any(|e| matches!(e, Effect::Work(_))), "{effects:?}");
+    assert!(effects.iter().any(|e| matches!(e, Command::Work(_))), "{effects:?}");
     let effects = press(&mut app, ":set live off<Enter>");
-    assert!(effects.iter().any(|e| matches!(e, Effect::StopWork)), "{effects:?}");
+    assert!(effects.iter().any(|e| matches!(e, Command::StopWork)), "{effects:?}");
 }

@@ -2,7 +2,7 @@
 
 use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
-use meshcast::app::message::{Effect, Message};
+use meshcast::app::message::{Command, Message};
 use meshcast::app::{App, Start};
 use meshcast::job::{News, Order, Ticket};
 use meshcast::layout::Layout;
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
 /// Five layouts, the rows of Table 1 of Pol & Gabrieli (2021).
-pub fn road_cut() -> Project {
+pub(crate) fn road_cut() -> Project {
     let rows = [
         ("bench 2", [0.25, 2.5, 0.60, 0.0, 0.0]),
         ("shelf", [0.32, 2.5, 0.20, 0.0, 0.0]),
@@ -34,7 +34,7 @@ pub fn road_cut() -> Project {
 }
 
 /// The state at the start, with a file that was never written.
-pub fn start(project: Project, size: (u16, u16), look: Look) -> App {
+pub(crate) fn start(project: Project, size: (u16, u16), look: Look) -> App {
     App::new(Start {
         project: Arc::new(project),
         path: Some(PathBuf::from("/site/road-cut.ron")),
@@ -48,15 +48,15 @@ pub fn start(project: Project, size: (u16, u16), look: Look) -> App {
 }
 
 /// Colours and braille, as a UTF-8 terminal has them.
-pub const COLOR: Look = Look { color: ColorMode::Basic16, glyphs: Glyphs::Braille };
+pub(crate) const COLOR: Look = Look { color: ColorMode::Basic16, glyphs: Glyphs::Braille };
 /// No colour, block signs.
-pub const MONO: Look = Look { color: ColorMode::None, glyphs: Glyphs::Block };
+pub(crate) const MONO: Look = Look { color: ColorMode::None, glyphs: Glyphs::Block };
 /// No colour, plain ASCII.
-pub const ASCII: Look = Look { color: ColorMode::None, glyphs: Glyphs::Ascii };
+pub(crate) const ASCII: Look = Look { color: ColorMode::None, glyphs: Glyphs::Ascii };
 
 /// The keys of a script: characters stand for themselves, `<...>` names a key: `<Enter>`, `<Esc>`,
 /// `<Tab>`, `<Up>`, `<PgDn>`, `<C-s>`, `<S-Left>`, `<lt>` for the sign itself.
-pub fn keys(script: &str) -> Vec<Key> {
+pub(crate) fn keys(script: &str) -> Vec<Key> {
     let mut keys = Vec::new();
     let mut rest = script;
     while let Some(c) = rest.chars().next() {
@@ -103,12 +103,12 @@ fn named(name: &str) -> Key {
 }
 
 /// Presses the keys of a script; returns all effects.
-pub fn press(app: &mut App, script: &str) -> Vec<Effect> {
+pub(crate) fn press(app: &mut App, script: &str) -> Vec<Command> {
     keys(script).into_iter().flat_map(|key| app.update(Message::Key(key))).collect()
 }
 
 /// The screen of a size.
-pub fn screen(app: &App) -> Buffer {
+pub(crate) fn screen(app: &App) -> Buffer {
     let (width, height) = app.size();
     let mut buf = Buffer::empty(Rect { x: 0, y: 0, width, height });
     meshcast::ui::draw(app, &mut buf);
@@ -116,7 +116,7 @@ pub fn screen(app: &App) -> Buffer {
 }
 
 /// The characters of a screen, a line a row, blanks at the end left out.
-pub fn text(app: &App) -> String {
+pub(crate) fn text(app: &App) -> String {
     let buf = screen(app);
     rows(&buf)
         .map(|row| row.iter().map(|c| c.symbol()).collect::<String>().trim_end().to_string() + "\n")
@@ -129,7 +129,7 @@ fn rows(buf: &Buffer) -> impl Iterator<Item = &[ratatui::buffer::Cell]> {
 
 /// The screen with its styles: the characters, then a map of the same shape with a letter for each
 /// style that is not plain, then what the letters mean.
-pub fn styled(app: &App) -> String {
+pub(crate) fn styled(app: &App) -> String {
     let buf = screen(app);
     let mut legend: Vec<(Color, Modifier)> = Vec::new();
     let mut map = String::new();
@@ -162,7 +162,7 @@ pub fn styled(app: &App) -> String {
 }
 
 /// Two small cells, which are checked in milliseconds, and one that cannot be: the punch is on a plate.
-pub fn small() -> Project {
+pub(crate) fn small() -> Project {
     let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
     let mut project = Project::starter("Small");
     project.layouts = vec![
@@ -174,16 +174,16 @@ pub fn small() -> Project {
 }
 
 /// The news of an order that is done here and now.
-pub fn news(order: &Order) -> Vec<News> {
+pub(crate) fn news(order: &Order) -> Vec<News> {
     let heard = Mutex::new(Vec::new());
     order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
     heard.into_inner().unwrap()
 }
 
 /// Does the work among some effects and tells the state of it; the orders, as they were.
-pub fn work(app: &mut App, effects: Vec<Effect>) -> Vec<Order> {
+pub(crate) fn work(app: &mut App, effects: Vec<Command>) -> Vec<Order> {
     let ordered = |effect| match effect {
-        Effect::Work(order) => Some(order),
+        Command::Work(order) => Some(order),
         _ => None,
     };
     let orders: Vec<Order> = effects.into_iter().filter_map(ordered).collect();

@@ -3,8 +3,8 @@
 
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::message::{Effect, Exported, Message};
-use meshcast::export::Kind;
+use meshcast::app::message::{Command, Exported, Message};
+use meshcast::export::ExportKind;
 use std::path::PathBuf;
 
 /// The sample as it is opened, at 80x24.
@@ -61,7 +61,7 @@ fn the_report() {
     press(&mut app, "e");
     insta::assert_snapshot!("new_user_export", text(&app));
     let effects = press(&mut app, "<Enter>");
-    let [Effect::Export { kind: Kind::ReportHtml, path: None, .. }] = &effects[..] else {
+    let [Command::Export { kind: ExportKind::ReportHtml, path: None, .. }] = &effects[..] else {
         panic!("{effects:?}")
     };
     let path = PathBuf::from("/site/road-cut-report.html");

@@ -2,7 +2,7 @@
 
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::message::{Effect, Message, SaveFailure, Saved};
+use meshcast::app::message::{Command, Message, SaveFailure, Saved};
 use meshcast::layout::BranchRule;
 use meshcast::units::LengthUnit;
 use std::path::PathBuf;
@@ -13,8 +13,8 @@ fn app() -> App {
 }
 
 /// Answers a save effect as if the file had been written.
-fn saved(app: &mut App, effects: Vec<Effect>) -> Vec<Effect> {
-    let [Effect::Save { project, path, .. }] = &effects[..] else { panic!("{effects:?}") };
+fn saved(app: &mut App, effects: Vec<Command>) -> Vec<Command> {
+    let [Command::Save { project, path, .. }] = &effects[..] else { panic!("{effects:?}") };
     let path = path.clone().unwrap_or_else(|| PathBuf::from("/site/road-cut.ron"));
     app.update(Message::Saved(Ok(Saved { project: project.clone(), path, note: None })))
 }
@@ -215,16 +215,16 @@ fn saving_by_key_and_by_command() {
 #[test]
 fn quitting_asks_only_when_edits_are_unsaved() {
     let mut app = app();
-    assert!(matches!(press(&mut app, "q")[..], [Effect::Quit]));
+    assert!(matches!(press(&mut app, "q")[..], [Command::Quit]));
     press(&mut app, "<Right>");
     assert!(press(&mut app, "q").is_empty());
     assert!(text(&app).contains("not saved"));
     assert!(press(&mut app, "<Esc>").is_empty());
     let effects = press(&mut app, "qs");
-    assert!(matches!(saved(&mut app, effects)[..], [Effect::Quit]));
+    assert!(matches!(saved(&mut app, effects)[..], [Command::Quit]));
     press(&mut app, "<Right>");
-    assert!(matches!(press(&mut app, "qd")[..], [Effect::ForgetRecovery, Effect::Quit]));
-    assert!(matches!(press(&mut app, ":q!<Enter>")[..], [Effect::ForgetRecovery, Effect::Quit]));
+    assert!(matches!(press(&mut app, "qd")[..], [Command::ForgetRecovery, Command::Quit]));
+    assert!(matches!(press(&mut app, ":q!<Enter>")[..], [Command::ForgetRecovery, Command::Quit]));
 }
 
 #[test]
@@ -253,7 +253,7 @@ fn a_file_that_changed_on_disk_is_overwritten_only_when_told() {
     })));
     assert!(text(&app).contains("replace the file on disk"), "{}", text(&app));
     let effects = press(&mut app, "o");
-    assert!(matches!(effects[..], [Effect::Save { overwrite: true, .. }]));
+    assert!(matches!(effects[..], [Command::Save { overwrite: true, .. }]));
 }
 
 #[test]
@@ -280,16 +280,16 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
     press(&mut app, "u");
     assert_eq!(app.layout().plate, 0.25);
     let mut app = open();
-    assert!(matches!(press(&mut app, "d")[..], [Effect::ForgetRecovery]));
+    assert!(matches!(press(&mut app, "d")[..], [Command::ForgetRecovery]));
     assert!(!app.edited());
 }
 
 #[test]
 fn hanging_up_keeps_unsaved_edits() {
     let mut app = app();
-    assert!(matches!(app.update(Message::HangUp)[..], [Effect::Quit]));
+    assert!(matches!(app.update(Message::HangUp)[..], [Command::Quit]));
     press(&mut app, "<Right>");
-    assert!(matches!(app.update(Message::HangUp)[..], [Effect::Recover { .. }, Effect::Quit]));
+    assert!(matches!(app.update(Message::HangUp)[..], [Command::Recover { .. }, Command::Quit]));
 }
 
 #[test]
@@ -356,13 +356,16 @@ fn every_size_is_drawn_without_panic_and_within_the_screen() {
 #[test]
 fn what_is_written_is_chosen_from_a_list_or_named() {
     use meshcast::app::message::Exported;
-    use meshcast::export::Kind;
+    use meshcast::export::ExportKind;
     let mut app = app();
     press(&mut app, "<Tab><Tab>e");
     insta::assert_snapshot!("export_list", text(&app));
     let effects = press(&mut app, "<Down><Down><Enter>");
-    let [Effect::Export { kind: Kind::Chart, layout: 2, path: None, overwrite: false, .. }] =
-        &effects[..]
+    let [
+        Command::Export {
+            kind: ExportKind::Chart, layout: 2, path: None, overwrite: false, ..
+        },
+    ] = &effects[..]
     else {
         panic!("{effects:?}")
     };
@@ -370,7 +373,7 @@ fn what_is_written_is_chosen_from_a_list_or_named() {
     app.update(Message::Exported(Ok(Exported { path, note: None })));
     assert_eq!(app.status().unwrap().text, "written: /site/road-cut-bench-3-chart.svg");
     let effects = press(&mut app, ":export! report /tmp/r.html<Enter>");
-    let [Effect::Export { kind: Kind::ReportHtml, path: Some(path), overwrite: true, .. }] =
+    let [Command::Export { kind: ExportKind::ReportHtml, path: Some(path), overwrite: true, .. }] =
         &effects[..]
     else {
         panic!("{effects:?}")

@@ -79,6 +79,6 @@ fn too_small_a_terminal_says_so_and_quits() {
         assert_eq!(shown.lines().filter(|l| !l.is_empty()).count(), 1, "{shown}");
         assert!(shown.starts_with(&"too small: q quits"[..usize::from(size.0).min(18)]), "{shown}");
         let effects = press(&mut app, "q");
-        assert!(matches!(effects[..], [meshcast::app::message::Effect::Quit]));
+        assert!(matches!(effects[..], [meshcast::app::message::Command::Quit]));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::message::{Effect, Message};
+use meshcast::app::message::{Command, Message};
 use meshcast::job::order::{Progress, Task, What};
 use meshcast::job::{News, Order};
 use meshcast::project::schema::Project;
@@ -16,13 +16,13 @@ fn asked() -> Project {
 
 fn app(size: (u16, u16)) -> App {
     let mut app = start(asked(), size, COLOR);
-    press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>");
+    press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>?q");
     app
 }
 
 /// The one order among some effects.
-fn order(effects: Vec<Effect>) -> Order {
-    let [Effect::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+fn order(effects: Vec<Command>) -> Order {
+    let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
     order.clone()
 }
 
@@ -128,7 +128,7 @@ fn escape_ends_a_campaign_first_and_keeps_what_is_done() {
     assert!(bottom(&app).contains("check 2 of 11"));
     press(&mut app, "s");
     let effects = press(&mut app, "<Esc>");
-    assert!(matches!(&effects[..], [Effect::StopWork]));
+    assert!(matches!(&effects[..], [Command::StopWork]));
     assert!(app.page_open().is_some(), "the page stays");
     app.update(Message::Work(News { number: order.number, what: What::Ended { cancelled: true } }));
     assert_eq!(said(&app), "ended early; 1 of 11 cases are kept");

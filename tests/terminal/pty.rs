@@ -32,7 +32,7 @@ const LOOK: Duration = Duration::from_millis(5);
 
 /// A program about to be started. Its environment holds nothing but `PATH`, a UTF-8 xterm, a home
 /// directory of its own, and what is added here.
-pub struct Launch {
+pub(crate) struct Launch {
     program: PathBuf,
     args: Vec<OsString>,
     env: Vec<(OsString, OsString)>,
@@ -42,17 +42,17 @@ pub struct Launch {
 
 impl Launch {
     /// The built `meshcast`, which does not begin with the tour.
-    pub fn meshcast() -> Launch {
+    pub(crate) fn meshcast() -> Launch {
         Launch::new_user().arg("--no-tour")
     }
 
     /// The built `meshcast` as one who never ran it finds it.
-    pub fn new_user() -> Launch {
+    pub(crate) fn new_user() -> Launch {
         Launch::program(env!("CARGO_BIN_EXE_meshcast"))
     }
 
     /// Any program.
-    pub fn program(program: impl AsRef<Path>) -> Launch {
+    pub(crate) fn program(program: impl AsRef<Path>) -> Launch {
         let home = tempfile::tempdir().unwrap();
         let launch = Launch {
             program: program.as_ref().to_path_buf(),
@@ -70,25 +70,25 @@ impl Launch {
     }
 
     /// A shell script in place of the program, with the same environment.
-    pub fn wrapped_in_shell(mut self, script: &str) -> Launch {
+    pub(crate) fn wrapped_in_shell(mut self, script: &str) -> Launch {
         self.program = PathBuf::from("/bin/sh");
         self.args = vec!["-c".into(), script.into()];
         self
     }
 
     /// The home directory, there until the program has ended.
-    pub fn home(&self) -> PathBuf {
+    pub(crate) fn home(&self) -> PathBuf {
         self.home.path().to_path_buf()
     }
 
     /// One more argument.
-    pub fn arg(mut self, arg: impl Into<OsString>) -> Launch {
+    pub(crate) fn arg(mut self, arg: impl Into<OsString>) -> Launch {
         self.args.push(arg.into());
         self
     }
 
     /// An environment variable.
-    pub fn env(mut self, name: impl Into<OsString>, value: impl Into<OsString>) -> Launch {
+    pub(crate) fn env(mut self, name: impl Into<OsString>, value: impl Into<OsString>) -> Launch {
         let name = name.into();
         self.env.retain(|(known, _)| *known != name);
         self.env.push((name, value.into()));
@@ -96,19 +96,19 @@ impl Launch {
     }
 
     /// Takes an environment variable away.
-    pub fn without(mut self, name: &str) -> Launch {
+    pub(crate) fn without(mut self, name: &str) -> Launch {
         self.env.retain(|(known, _)| known != name);
         self
     }
 
     /// Columns and rows.
-    pub fn size(mut self, width: u16, height: u16) -> Launch {
+    pub(crate) fn size(mut self, width: u16, height: u16) -> Launch {
         self.size = (width, height);
         self
     }
 
     /// Starts the program as leader of a session of its own, on a new terminal.
-    pub fn start(self) -> Pty {
+    pub(crate) fn start(self) -> Pty {
         let Launch { program, args, env, size, home } = self;
         let pair = native_pty_system().openpty(pty_size(size)).unwrap();
         let mut command = CommandBuilder::new(program);
@@ -158,7 +158,7 @@ struct Control {
 }
 
 /// A running program in its terminal; killed when dropped.
-pub struct Pty {
+pub(crate) struct Pty {
     child: Box<dyn Child + Send + Sync>,
     line: Option<(Box<dyn MasterPty + Send>, File)>,
     state: Arc<Mutex<State>>,
@@ -177,7 +177,7 @@ impl Pty {
     }
 
     /// Types, escape sequences included: `"\x1b[A"` is the arrow up, `"\x13"` is Ctrl+S.
-    pub fn send(&self, keys: &str) {
+    pub(crate) fn send(&self, keys: &str) {
         let mut rest = keys.as_bytes();
         let start = Instant::now();
         while !rest.is_empty() {
@@ -191,19 +191,19 @@ impl Pty {
     }
 
     /// The screen as text, a line each row.
-    pub fn dump(&self) -> String {
+    pub(crate) fn dump(&self) -> String {
         self.state().emulator.screen().contents()
     }
 
     /// Waits until the screen contains a text.
-    pub fn wait_for(&self, text: &str) {
+    pub(crate) fn wait_for(&self, text: &str) {
         self.wait_until(&format!("{text:?} on the screen"), |screen| {
             screen.contents().contains(text)
         });
     }
 
     /// Waits until the screen is as wanted.
-    pub fn wait_until(&self, what: &str, wanted: impl Fn(&vt100::Screen) -> bool) {
+    pub(crate) fn wait_until(&self, what: &str, wanted: impl Fn(&vt100::Screen) -> bool) {
         let start = Instant::now();
         while !wanted(self.state().emulator.screen()) {
             assert!(start.elapsed() < PATIENCE, "waited for {what}; the screen:\n{}", self.dump());
@@ -212,17 +212,17 @@ impl Pty {
     }
 
     /// Looks at the screen.
-    pub fn screen<T>(&self, look: impl FnOnce(&vt100::Screen) -> T) -> T {
+    pub(crate) fn screen<T>(&self, look: impl FnOnce(&vt100::Screen) -> T) -> T {
         look(self.state().emulator.screen())
     }
 
     /// All bytes received so far.
-    pub fn received(&self) -> Vec<u8> {
+    pub(crate) fn received(&self) -> Vec<u8> {
         self.state().bytes.clone()
     }
 
     /// Waits until the terminal is quiet; bytes received until then.
-    pub fn settle(&self) -> usize {
+    pub(crate) fn settle(&self) -> usize {
         let start = Instant::now();
         loop {
             {
@@ -237,7 +237,7 @@ impl Pty {
     }
 
     /// Bytes sent in answer to some keys.
-    pub fn cost_of(&self, keys: &str) -> usize {
+    pub(crate) fn cost_of(&self, keys: &str) -> usize {
         let before = self.settle();
         self.send(keys);
         thread::sleep(QUIET);
@@ -245,30 +245,30 @@ impl Pty {
     }
 
     /// Writes to the screen behind the program's back.
-    pub fn spoil(&self, bytes: &str) {
+    pub(crate) fn spoil(&self, bytes: &str) {
         self.state().emulator.process(bytes.as_bytes());
     }
 
     /// Changes the size of the terminal.
-    pub fn resize(&self, width: u16, height: u16) {
+    pub(crate) fn resize(&self, width: u16, height: u16) {
         self.state().emulator.screen_mut().set_size(nonzero(height), nonzero(width));
         let (master, _) = self.line.as_ref().expect("the terminal has hung up");
         master.resize(pty_size((width, height))).unwrap();
     }
 
     /// Sends the program a signal.
-    pub fn signal(&self, signal: Signal) {
+    pub(crate) fn signal(&self, signal: Signal) {
         let id = self.child.process_id().unwrap() as i32;
         kill_process(Pid::from_raw(id).unwrap(), signal).unwrap();
     }
 
     /// Stops reading what the program sends, like a line that is stuck.
-    pub fn go_deaf(&self) {
+    pub(crate) fn go_deaf(&self) {
         self.control.deaf.store(true, Ordering::SeqCst);
     }
 
     /// Closes the line, as when SSH drops.
-    pub fn hang_up(&mut self) {
+    pub(crate) fn hang_up(&mut self) {
         self.control.end.store(true, Ordering::SeqCst);
         if let Some(reader) = self.reader.take() {
             reader.join().unwrap();
@@ -277,13 +277,13 @@ impl Pty {
     }
 
     /// Whether line editing and echo are on, as a shell leaves them.
-    pub fn is_cooked(&self) -> bool {
+    pub(crate) fn is_cooked(&self) -> bool {
         let modes = tcgetattr(self.file()).unwrap().local_modes;
         modes.contains(LocalModes::ICANON | LocalModes::ECHO | LocalModes::ISIG)
     }
 
     /// Asserts that the terminal is as a shell wants it.
-    pub fn assert_restored(&self) {
+    pub(crate) fn assert_restored(&self) {
         assert!(self.is_cooked(), "line editing and echo are off");
         self.wait_until("the main screen and a cursor", |screen| {
             !screen.alternate_screen() && !screen.hide_cursor() && !screen.bracketed_paste()
@@ -297,7 +297,7 @@ impl Pty {
     }
 
     /// Waits for the program to end.
-    pub fn wait_exit(&mut self) -> ExitStatus {
+    pub(crate) fn wait_exit(&mut self) -> ExitStatus {
         let start = Instant::now();
         loop {
             if let Some(status) = self.child.try_wait().unwrap() {
@@ -309,7 +309,7 @@ impl Pty {
     }
 
     /// Whether the program has ended within a time.
-    pub fn ends_within(&mut self, time: Duration) -> bool {
+    pub(crate) fn ends_within(&mut self, time: Duration) -> bool {
         let start = Instant::now();
         while start.elapsed() < time {
             if self.child.try_wait().unwrap().is_some() {

@@ -4,10 +4,10 @@
 use crate::pty::Launch;
 use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorChoice, Look};
-use meshcast::app::message::{Effect, Message, SaveFailure, Saved};
+use meshcast::app::message::{Command, Message, SaveFailure, Saved};
 use meshcast::project::Project;
 use meshcast::term::capabilities::Surroundings;
-use meshcast::term::{Ending, Host, Mail, Options, Program, Session};
+use meshcast::term::{Ending, Host, Mail, Program, Session, SessionOptions};
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 use std::fs;
@@ -24,7 +24,7 @@ const AUTOSAVE: &str = "TOY_AUTOSAVE";
 /// The toy, ready to be started. Keys: `+` counts and makes an edit, `n` does nothing, `d` asks for a
 /// drawing in which nothing changed, `r` for a whole one, `s` saves, `p` fails, `w` fails in a worker,
 /// `m` mails from a worker, Ctrl+Z stops, `q` quits.
-pub fn toy() -> Launch {
+pub(crate) fn toy() -> Launch {
     let launch = Launch::program(std::env::current_exe().unwrap());
     let recovery = recovery_file(&launch);
     launch
@@ -36,12 +36,12 @@ pub fn toy() -> Launch {
 }
 
 /// The toy, keeping its edits by itself after a short time.
-pub fn toy_with_autosave() -> Launch {
+pub(crate) fn toy_with_autosave() -> Launch {
     toy().env(AUTOSAVE, "100")
 }
 
 /// Where the toy keeps unsaved edits.
-pub fn recovery_file(launch: &Launch) -> PathBuf {
+pub(crate) fn recovery_file(launch: &Launch) -> PathBuf {
     launch.home().join("recovery")
 }
 
@@ -51,10 +51,10 @@ fn child() {
     let Some(recovery) = std::env::var_os(RECOVERY) else { return };
     let autosave = std::env::var(AUTOSAVE).ok().and_then(|ms| ms.parse().ok());
     let surroundings = Surroundings::of_process();
-    let options = Options {
+    let options = SessionOptions {
         charset: surroundings.charset(None),
         autosave: autosave.map(Duration::from_millis),
-        ..Options::default()
+        ..SessionOptions::default()
     };
     let session = Session::open(options).unwrap();
     let mut toy = Toy {
@@ -86,7 +86,7 @@ struct Toy {
 }
 
 impl Program for Toy {
-    fn update(&mut self, message: Message) -> Vec<Effect> {
+    fn update(&mut self, message: Message) -> Vec<Command> {
         match message {
             Message::Key(key) => return self.key(key),
             Message::Paste(text) => self.say(&format!("pasted {text}")),
@@ -97,7 +97,7 @@ impl Program for Toy {
             Message::Saved(Ok(saved)) => {
                 self.unsaved = None;
                 self.say(&format!("saved {}", saved.project.name));
-                return vec![Effect::ForgetRecovery];
+                return vec![Command::ForgetRecovery];
             }
             Message::Saved(Err(failure)) => self.say(&failure.message),
             Message::Trouble(trouble) => self.say(&trouble),
@@ -141,9 +141,9 @@ impl Toy {
         self.dirty = true;
     }
 
-    fn key(&mut self, key: Key) -> Vec<Effect> {
+    fn key(&mut self, key: Key) -> Vec<Command> {
         if key == Key::ctrl('z') {
-            return vec![Effect::Suspend];
+            return vec![Command::Suspend];
         }
         if key != Key::plain(key.code) {
             self.say(&format!("key {key}"));
@@ -158,11 +158,11 @@ impl Toy {
             }
             Code::Char('d') => self.dirty = true,
             Code::Char('n') => {}
-            Code::Char('r') => return vec![Effect::Redraw],
+            Code::Char('r') => return vec![Command::Redraw],
             Code::Char('s') => {
                 let project =
                     self.unsaved.clone().unwrap_or_else(|| Project::starter("toy").into());
-                return vec![Effect::Save { project, path: None, overwrite: false }];
+                return vec![Command::Save { project, path: None, overwrite: false }];
             }
             Code::Char('p') => panic!("the toy broke"),
             Code::Char('w') => {
@@ -172,7 +172,7 @@ impl Toy {
                 let mail = self.mail.clone();
                 std::thread::spawn(move || mail.send(Message::Trouble("a letter".to_owned())));
             }
-            Code::Char('q') => return vec![Effect::Quit],
+            Code::Char('q') => return vec![Command::Quit],
             _ => self.say(&format!("key {key}")),
         }
         Vec::new()

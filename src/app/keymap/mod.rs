@@ -9,7 +9,7 @@ mod desk;
 mod output;
 mod studies;
 
-pub use commands::{COMMANDS, CommandHelp};
+pub use commands::COMMANDS;
 
 use super::key::Key;
 use super::studies::Ask;
@@ -169,7 +169,7 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub const ALL: [Context; 15] = [
+    pub(crate) const ALL: [Context; 15] = [
         Context::Main,
         Context::Pager,
         Context::MeshPicker,
@@ -188,7 +188,7 @@ impl Context {
     ];
 
     /// Heading in the help.
-    pub fn heading(self) -> &'static str {
+    pub(crate) fn heading(self) -> &'static str {
         match self {
             Context::Main => "Main screen",
             Context::Pager => "Help and details",
@@ -225,18 +225,18 @@ pub struct Binding {
 }
 
 /// What a key does in a screen.
-pub fn action(context: Context, key: Key) -> Option<Action> {
+pub(crate) fn action(context: Context, key: Key) -> Option<Action> {
     of(context).find(|b| b.keys.contains(&key)).map(|b| b.action)
 }
 
 /// The bindings of a screen, in order.
-pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
+pub(crate) fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
     all().filter(move |b| b.context == context)
 }
 
 /// Whether a page of a study has an action from the keys that hold on all of them, which the help
 /// lists with the first one.
-pub fn shared(context: Context, action: Action) -> bool {
+pub(crate) fn shared(context: Context, action: Action) -> bool {
     matches!(context, Context::Sweep | Context::Compare | Context::Design)
         && studies::EVERYWHERE.iter().any(|e| e.0 == action)
 }

@@ -1,7 +1,7 @@
 //! The keys of the pages of studies, and those that open them.
 
 use super::super::key::{Code, Key};
-use super::super::studies::{Ask, Page};
+use super::super::studies::{Ask, StudyPage};
 use super::bindings::{bind, c, p};
 use super::{Action as A, Binding, Context as C};
 
@@ -13,28 +13,28 @@ const fn ask(ask: Ask) -> A {
 pub(super) const BINDINGS: &[Binding] = &[
     bind(
         C::Main,
-        ask(Ask::Open(Page::Sensitivity)),
+        ask(Ask::Open(StudyPage::Sensitivity)),
         &[c('s')],
         "sensitivity: how the answer moves with each input, by forecast and check",
         Some("sensitivity"),
     ),
     bind(
         C::Main,
-        ask(Ask::Open(Page::Sweep)),
+        ask(Ask::Open(StudyPage::Sweep)),
         &[c('w')],
         "sweep: one input over a range as a chart, or two as a map",
         Some("sweep"),
     ),
     bind(
         C::Main,
-        ask(Ask::Open(Page::Compare)),
+        ask(Ask::Open(StudyPage::Compare)),
         &[c('v')],
         "compare: all layouts in a table that can be sorted, with their curves",
         Some("compare"),
     ),
     bind(
         C::Main,
-        ask(Ask::Open(Page::Design)),
+        ask(Ask::Open(StudyPage::Design)),
         &[c('g')],
         "design: which d, L or D just meets the design values",
         Some("design"),
@@ -221,10 +221,10 @@ pub(super) const EVERYWHERE: [Bare; SHARED] = [
     (A::Redo, &[c('U'), Key::ctrl('r'), Key::ctrl('y')], "redo", None),
     (A::Units, &[c('t')], "lengths in m or mm", None),
     (A::Save, &[Key::ctrl('s')], "save", None),
-    (ask(Ask::Open(Page::Sensitivity)), &[c('s')], "sensitivity", None),
-    (ask(Ask::Open(Page::Sweep)), &[c('w')], "sweep", None),
-    (ask(Ask::Open(Page::Compare)), &[c('v')], "compare", None),
-    (ask(Ask::Open(Page::Design)), &[c('g')], "design", None),
+    (ask(Ask::Open(StudyPage::Sensitivity)), &[c('s')], "sensitivity", None),
+    (ask(Ask::Open(StudyPage::Sweep)), &[c('w')], "sweep", None),
+    (ask(Ask::Open(StudyPage::Compare)), &[c('v')], "compare", None),
+    (ask(Ask::Open(StudyPage::Design)), &[c('g')], "design", None),
     (A::Redraw, &[Key::ctrl('l')], "draw the screen anew", None),
     (A::Suspend, &[Key::ctrl('z')], "suspend", None),
 ];

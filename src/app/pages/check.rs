@@ -1,21 +1,21 @@
 //! The part of the details that speaks of the check by simulation.
 
-use super::Page;
+use super::TextPage;
 use crate::app::App;
 use crate::app::checks::{LIVE_RUNS, Standing};
 use crate::dem::outcome::Quality;
-use crate::study::verdict::places::Places;
-use crate::study::verdict::{VERSION, Verdict};
+use crate::study::result::places::Places;
+use crate::study::result::{CheckResult, VERSION};
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
 /// All there is to know of the check shown.
-pub fn section(page: &mut Page, app: &App) {
+pub(crate) fn section(page: &mut TextPage, app: &App) {
     page.heading("Check by simulation");
     let Some(shown) = app.shown_check() else {
         page.text("  none yet: c checks this layout, C all of them, l after each edit", 2);
         return;
     };
-    let v = shown.verdict;
+    let v = shown.result;
     let m = |value: f64| length_text(value, app.units());
     page.row(
         "stands",
@@ -74,7 +74,7 @@ pub fn section(page: &mut Page, app: &App) {
     page.row("inputs", &format!("{} (fingerprint)", v.inputs));
 }
 
-fn quality(page: &mut Page, q: &Quality) {
+fn quality(page: &mut TextPage, q: &Quality) {
     let percent = |part: f64| format!("{} %", significant(100.0 * part, 2));
     page.row("error estimate, worst run", &percent(q.error_estimate));
     page.row("kinetic over internal energy", &percent(q.kinetic_over_internal));
@@ -82,7 +82,7 @@ fn quality(page: &mut Page, q: &Quality) {
     page.row("support over punch force", &significant(q.support_over_punch, 3));
 }
 
-fn remarks(page: &mut Page, v: &Verdict) {
+fn remarks(page: &mut TextPage, v: &CheckResult) {
     for remark in v.remarks() {
         page.text(&format!("  ! {remark}"), 4);
     }

@@ -11,22 +11,22 @@ use crate::units::{LengthUnit, force_text, length_text, shortest, significant, t
 
 /// A line of a page.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PageLine {
+pub(crate) struct PageLine {
     /// The text, no wider than the page was asked for.
-    pub text: String,
+    pub(crate) text: String,
     /// Whether it is a heading.
-    pub heading: bool,
+    pub(crate) heading: bool,
 }
 
 /// A page as it grows.
-pub(super) struct Page {
+pub(super) struct TextPage {
     width: usize,
     pub(super) lines: Vec<PageLine>,
 }
 
-impl Page {
-    pub(super) fn new(width: usize) -> Page {
-        Page { width: width.max(20), lines: Vec::new() }
+impl TextPage {
+    pub(super) fn new(width: usize) -> TextPage {
+        TextPage { width: width.max(20), lines: Vec::new() }
     }
 
     pub(super) fn heading(&mut self, text: &str) {
@@ -57,7 +57,7 @@ impl Page {
     }
 }
 
-pub(super) fn method(page: &mut Page) {
+pub(super) fn method(page: &mut TextPage) {
     page.text("  Pol & Gabrieli (2021): the laboratory punch test of the mesh (F_l*, delta_l*), times alpha_F and alpha_delta, gives the field reference (F_a*, delta_a*); Eqs. A.1-A.2 take plate d, spacing L and punch D into account, the map of Fig. A1 the eccentricity; the master curve, Eq. 3, gives the whole curve.", 2);
     page.text(&format!("  Published ranges: d {}, L {}, D {}; laboratory panel {}. Outside them the numbers are extrapolated and marked.", PLATE.text(), SPACING.text(), PUNCH.text(), PANEL.text()), 2);
     page.text("  It is a lower bound: a block in every cell of the mesh, so every anchor carries the whole force of its cell. It is not the answer for one block on a large mesh. Anchors stand on a square grid, the net hangs with its twists down the slope (y); other grids are not covered.", 2);
@@ -65,8 +65,8 @@ pub(super) fn method(page: &mut Page) {
 }
 
 /// All there is to know of the selected layout.
-pub fn details(app: &App, width: usize) -> Vec<PageLine> {
-    let mut page = Page::new(width);
+pub(crate) fn details(app: &App, width: usize) -> Vec<PageLine> {
+    let mut page = TextPage::new(width);
     let layout = app.layout();
     page.heading(&format!("{} - {}", layout.name, app.project().name));
     if !layout.note.is_empty() {
@@ -95,7 +95,7 @@ pub fn details(app: &App, width: usize) -> Vec<PageLine> {
     page.lines
 }
 
-fn numbers(page: &mut Page, app: &App, forecast: &Forecast) {
+fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     let unit = app.units();
     let m = |v: f64| length_text(v, unit);
     if let Some(mesh) = &app.result().mesh {
@@ -152,7 +152,7 @@ fn numbers(page: &mut Page, app: &App, forecast: &Forecast) {
 }
 
 /// A few points of the curve, with stiffness and energy.
-fn curve(page: &mut Page, field: &Field, unit: LengthUnit) {
+fn curve(page: &mut TextPage, field: &Field, unit: LengthUnit) {
     page.heading("Curve (Eq. 3)");
     page.text("  part of delta_a  delta     F kN    tangent kN/m  secant kN/m  energy kJ", 2);
     for percent in [25, 50, 75, 90, 100] {
@@ -171,7 +171,7 @@ fn curve(page: &mut Page, field: &Field, unit: LengthUnit) {
     }
 }
 
-fn design(page: &mut Page, app: &App, unit: LengthUnit) {
+fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
     let layout = app.layout();
     let Some(answer) = &app.result().design else { return };
     if answer.at_force.is_none() && answer.at_deflection.is_none() {
@@ -219,12 +219,12 @@ fn pair(values: crate::forecast::Values, unit: LengthUnit) -> String {
 
 impl App {
     /// Columns of a page on this screen.
-    pub fn page_width(&self) -> usize {
+    pub(crate) fn page_width(&self) -> usize {
         usize::from(self.size().0).saturating_sub(4).clamp(20, 100)
     }
 
     /// The lines of the page that lies over the main screen.
-    pub fn page_lines(&self) -> Vec<PageLine> {
+    pub(crate) fn page_lines(&self) -> Vec<PageLine> {
         match self.mode() {
             Mode::Details { .. } => details(self, self.page_width()),
             _ => help::help(self.page_width(), help::Topic::of(&self.under_help)),

@@ -4,7 +4,7 @@
 //! A flag of this run stands above the file of settings, that above the project (which only knows a
 //! unit), and that above the default.
 
-pub mod preferences;
+pub(crate) mod preferences;
 
 pub use preferences::Preferences;
 
@@ -13,7 +13,7 @@ use crate::dem::Fidelity;
 use crate::units::LengthUnit;
 
 /// Most runs of a check that can be asked for.
-pub const MOST_RUNS: usize = 10_000;
+pub(crate) const MOST_RUNS: usize = 10_000;
 
 /// What the user decided for all projects.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,7 +36,7 @@ pub struct Settings {
 
 /// One setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Item {
+pub enum SettingItem {
     /// Unit of lengths.
     Units,
     /// Signs of charts.
@@ -56,93 +56,93 @@ pub enum Item {
 /// Numbers of runs that the arrows step through; others can be typed.
 const STEPS: [&str; 8] = ["auto", "1", "2", "4", "8", "16", "32", "64"];
 
-impl Item {
+impl SettingItem {
     /// All settings, in the order of the screen and of the file.
-    pub const ALL: [Item; 7] = [
-        Item::Units,
-        Item::Glyphs,
-        Item::Color,
-        Item::Fidelity,
-        Item::Runs,
-        Item::Live,
-        Item::Tour,
+    pub(crate) const ALL: [SettingItem; 7] = [
+        SettingItem::Units,
+        SettingItem::Glyphs,
+        SettingItem::Color,
+        SettingItem::Fidelity,
+        SettingItem::Runs,
+        SettingItem::Live,
+        SettingItem::Tour,
     ];
 
     /// The name in the file, on the command line and on the screen.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
-            Item::Units => "units",
-            Item::Glyphs => "glyphs",
-            Item::Color => "color",
-            Item::Fidelity => "fidelity",
-            Item::Runs => "runs",
-            Item::Live => "live",
-            Item::Tour => "tour",
+            SettingItem::Units => "units",
+            SettingItem::Glyphs => "glyphs",
+            SettingItem::Color => "color",
+            SettingItem::Fidelity => "fidelity",
+            SettingItem::Runs => "runs",
+            SettingItem::Live => "live",
+            SettingItem::Tour => "tour",
         }
     }
 
     /// The setting of a name.
-    pub fn named(name: &str) -> Option<Item> {
+    pub(crate) fn named(name: &str) -> Option<SettingItem> {
         let name = if name == "colour" { "color" } else { name };
-        Item::ALL.into_iter().find(|item| item.name() == name)
+        SettingItem::ALL.into_iter().find(|item| item.name() == name)
     }
 
     /// What it is, in a few words.
-    pub fn about(self) -> &'static str {
+    pub(crate) fn about(self) -> &'static str {
         match self {
-            Item::Units => "lengths: as the project says, m or mm",
-            Item::Glyphs => "signs that charts are drawn with",
-            Item::Color => "colours: what the terminal takes, 16 or none",
-            Item::Fidelity => "how exactly a check by simulation computes",
-            Item::Runs => "runs of a check; auto: 8 to 64, as needed",
-            Item::Live => "a quick check follows every edit",
-            Item::Tour => "the first-run tour; :tour shows it now",
+            SettingItem::Units => "lengths: as the project says, m or mm",
+            SettingItem::Glyphs => "signs that charts are drawn with",
+            SettingItem::Color => "colours: what the terminal takes, 16 or none",
+            SettingItem::Fidelity => "how exactly a check by simulation computes",
+            SettingItem::Runs => "runs of a check; auto: 8 to 64, as needed",
+            SettingItem::Live => "a quick check follows every edit",
+            SettingItem::Tour => "the first-run tour; :tour shows it now",
         }
     }
 
     /// Its words, in the order in which the arrows go through them.
     fn words(self) -> &'static [&'static str] {
         match self {
-            Item::Units => &["project", "m", "mm"],
-            Item::Glyphs => &["auto", "braille", "block", "ascii"],
-            Item::Color => &["auto", "16", "none"],
-            Item::Fidelity => &["quick", "standard", "fine"],
-            Item::Runs => &STEPS,
-            Item::Live => &["off", "on"],
-            Item::Tour => &["due", "seen"],
+            SettingItem::Units => &["project", "m", "mm"],
+            SettingItem::Glyphs => &["auto", "braille", "block", "ascii"],
+            SettingItem::Color => &["auto", "16", "none"],
+            SettingItem::Fidelity => &["quick", "standard", "fine"],
+            SettingItem::Runs => &STEPS,
+            SettingItem::Live => &["off", "on"],
+            SettingItem::Tour => &["due", "seen"],
         }
     }
 
     /// What it may be, for messages.
-    pub fn allowed(self) -> String {
+    pub(crate) fn allowed(self) -> String {
         match self {
-            Item::Runs => format!("auto or 1 to {MOST_RUNS}"),
+            SettingItem::Runs => format!("auto or 1 to {MOST_RUNS}"),
             _ => self.words().join(", "),
         }
     }
 
     /// Whether a word is one of its values.
-    pub fn takes(self, word: &str) -> bool {
+    pub(crate) fn takes(self, word: &str) -> bool {
         Settings::default().set(self, word).is_ok()
     }
 }
 
 impl Settings {
     /// The word for a setting's value.
-    pub fn word(&self, item: Item) -> String {
+    pub(crate) fn word(&self, item: SettingItem) -> String {
         match item {
-            Item::Units => self.units.map_or("project", LengthUnit::symbol).to_string(),
-            Item::Glyphs => self.glyphs.map_or("auto".to_string(), |g| g.to_string()),
-            Item::Color => match self.color {
+            SettingItem::Units => self.units.map_or("project", LengthUnit::symbol).to_string(),
+            SettingItem::Glyphs => self.glyphs.map_or("auto".to_string(), |g| g.to_string()),
+            SettingItem::Color => match self.color {
                 ColorChoice::Auto => "auto",
                 ColorChoice::Basic16 => "16",
                 ColorChoice::None => "none",
             }
             .to_string(),
-            Item::Fidelity => self.fidelity.word().to_string(),
-            Item::Runs => self.runs.map_or("auto".to_string(), |n| n.to_string()),
-            Item::Live => if self.live { "on" } else { "off" }.to_string(),
-            Item::Tour => if self.tour_seen { "seen" } else { "due" }.to_string(),
+            SettingItem::Fidelity => self.fidelity.word().to_string(),
+            SettingItem::Runs => self.runs.map_or("auto".to_string(), |n| n.to_string()),
+            SettingItem::Live => if self.live { "on" } else { "off" }.to_string(),
+            SettingItem::Tour => if self.tour_seen { "seen" } else { "due" }.to_string(),
         }
     }
 
@@ -150,40 +150,40 @@ impl Settings {
     ///
     /// # Errors
     /// The words there are.
-    pub fn set(&mut self, item: Item, word: &str) -> Result<(), String> {
+    pub(crate) fn set(&mut self, item: SettingItem, word: &str) -> Result<(), String> {
         let refusal = || format!("{}: {}", item.name(), item.allowed());
         // Runs take any number; all else takes a word of the list.
-        if item != Item::Runs && !item.words().contains(&word) {
+        if item != SettingItem::Runs && !item.words().contains(&word) {
             return Err(refusal());
         }
         match item {
-            Item::Units => {
+            SettingItem::Units => {
                 self.units = match word {
                     "m" => Some(LengthUnit::Metre),
                     "mm" => Some(LengthUnit::Millimetre),
                     _ => None,
                 }
             }
-            Item::Glyphs => self.glyphs = word.parse().ok(),
-            Item::Color => self.color = word.parse().map_err(|_| refusal())?,
-            Item::Fidelity => {
+            SettingItem::Glyphs => self.glyphs = word.parse().ok(),
+            SettingItem::Color => self.color = word.parse().map_err(|_| refusal())?,
+            SettingItem::Fidelity => {
                 let known = Fidelity::ALL.into_iter().find(|f| f.word() == word);
                 self.fidelity = known.ok_or_else(refusal)?;
             }
-            Item::Runs if word == "auto" => self.runs = None,
-            Item::Runs => match word.parse() {
+            SettingItem::Runs if word == "auto" => self.runs = None,
+            SettingItem::Runs => match word.parse() {
                 Ok(n) if (1..=MOST_RUNS).contains(&n) => self.runs = Some(n),
                 _ => return Err(refusal()),
             },
-            Item::Live => self.live = word == "on",
-            Item::Tour => self.tour_seen = word == "seen",
+            SettingItem::Live => self.live = word == "on",
+            SettingItem::Tour => self.tour_seen = word == "seen",
         }
         Ok(())
     }
 
     /// The word after or before the present one; round and round. A number of runs between two
     /// steps goes on from where it would stand.
-    pub fn neighbour(&self, item: Item, forward: bool) -> &'static str {
+    pub(crate) fn neighbour(&self, item: SettingItem, forward: bool) -> &'static str {
         let words = item.words();
         let now = self.word(item);
         let at = words.iter().position(|w| *w == now);
@@ -205,8 +205,8 @@ impl Settings {
     }
 
     /// Every setting with its word, in the order of the file.
-    pub fn to_words(&self) -> Vec<(Item, String)> {
-        Item::ALL.into_iter().map(|item| (item, self.word(item))).collect()
+    pub(crate) fn to_words(&self) -> Vec<(SettingItem, String)> {
+        SettingItem::ALL.into_iter().map(|item| (item, self.word(item))).collect()
     }
 }
 
@@ -216,8 +216,8 @@ mod tests {
 
     #[test]
     fn every_word_is_taken_and_comes_back() {
-        for item in Item::ALL {
-            assert_eq!(Item::named(item.name()), Some(item));
+        for item in SettingItem::ALL {
+            assert_eq!(SettingItem::named(item.name()), Some(item));
             for word in item.words() {
                 let mut settings = Settings::default();
                 settings.set(item, word).unwrap();
@@ -228,15 +228,15 @@ mod tests {
             assert!(item.words().contains(&Settings::default().word(item).as_str()));
         }
         for word in ["0", "10001", "-1", "1.5", ""] {
-            assert!(!Item::Runs.takes(word), "{word}");
+            assert!(!SettingItem::Runs.takes(word), "{word}");
         }
-        assert!(Item::Runs.takes("12"));
-        assert!(!Item::Fidelity.takes("reference"));
+        assert!(SettingItem::Runs.takes("12"));
+        assert!(!SettingItem::Fidelity.takes("reference"));
     }
 
     #[test]
     fn arrows_go_round() {
-        for item in Item::ALL {
+        for item in SettingItem::ALL {
             let mut settings = Settings::default();
             let start = settings.word(item);
             for forward in [true, false] {
@@ -248,10 +248,10 @@ mod tests {
             }
         }
         let typed = Settings { runs: Some(12), ..Settings::default() };
-        assert_eq!(typed.neighbour(Item::Runs, true), "16");
-        assert_eq!(typed.neighbour(Item::Runs, false), "8");
+        assert_eq!(typed.neighbour(SettingItem::Runs, true), "16");
+        assert_eq!(typed.neighbour(SettingItem::Runs, false), "8");
         let many = Settings { runs: Some(500), ..Settings::default() };
-        assert_eq!(many.neighbour(Item::Runs, true), "auto");
-        assert_eq!(many.neighbour(Item::Runs, false), "64");
+        assert_eq!(many.neighbour(SettingItem::Runs, true), "auto");
+        assert_eq!(many.neighbour(SettingItem::Runs, false), "64");
     }
 }

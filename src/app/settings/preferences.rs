@@ -1,9 +1,9 @@
 //! The settings of a session: what is kept, what flags lay over it, and the changes the user makes.
 
 use super::super::look::{ColorChoice, ColorMode, Look};
-use super::super::message::Effect;
+use super::super::message::Command;
 use super::super::{App, Mode};
-use super::{Item, Settings};
+use super::{SettingItem, Settings};
 use std::path::PathBuf;
 
 /// What a session knows of settings when it starts.
@@ -12,7 +12,7 @@ pub struct Preferences {
     /// What the file of settings says, or the defaults.
     pub kept: Settings,
     /// Flags of this run with their words; they stand above the file and are never kept.
-    pub flags: Vec<(Item, String)>,
+    pub flags: Vec<(SettingItem, String)>,
     /// Colours and glyphs where neither a flag nor a setting says otherwise.
     pub auto: Look,
     /// The file of settings, for people; none where there is no place for one.
@@ -35,7 +35,7 @@ impl Preferences {
     }
 
     /// Whether a flag of this run decides a setting.
-    pub fn is_flag(&self, item: Item) -> bool {
+    pub fn is_flag(&self, item: SettingItem) -> bool {
         self.flags.iter().any(|(flag, _)| *flag == item)
     }
 
@@ -69,29 +69,29 @@ impl App {
     /// The words there are.
     pub(in crate::app) fn set_setting(
         &mut self,
-        item: Item,
+        item: SettingItem,
         word: &str,
-    ) -> Result<Vec<Effect>, String> {
+    ) -> Result<Vec<Command>, String> {
         self.preferences.kept.set(item, word)?;
         self.preferences.flags.retain(|(flag, _)| *flag != item);
         self.settings = self.preferences.effective();
         match item {
-            Item::Units => self.units = self.settings.units,
-            Item::Glyphs => self.look.glyphs = self.preferences.look(&self.settings).glyphs,
-            Item::Color => self.look.color = self.preferences.look(&self.settings).color,
-            Item::Fidelity | Item::Runs | Item::Live | Item::Tour => {}
+            SettingItem::Units => self.units = self.settings.units,
+            SettingItem::Glyphs => self.look.glyphs = self.preferences.look(&self.settings).glyphs,
+            SettingItem::Color => self.look.color = self.preferences.look(&self.settings).color,
+            SettingItem::Fidelity | SettingItem::Runs | SettingItem::Live | SettingItem::Tour => {}
         }
-        let mut effects = vec![Effect::KeepSettings { settings: self.preferences.kept.clone() }];
-        if item == Item::Live && !self.settings.live {
+        let mut effects = vec![Command::KeepSettings { settings: self.preferences.kept.clone() }];
+        if item == SettingItem::Live && !self.settings.live {
             effects.extend(self.end_live());
         }
         Ok(effects)
     }
 
     /// The marked setting's next or previous word.
-    pub(in crate::app) fn change_marked_setting(&mut self, forward: bool) -> Vec<Effect> {
+    pub(in crate::app) fn change_marked_setting(&mut self, forward: bool) -> Vec<Command> {
         let Mode::Settings { index } = self.mode else { return Vec::new() };
-        let Some(item) = Item::ALL.get(index).copied() else { return Vec::new() };
+        let Some(item) = SettingItem::ALL.get(index).copied() else { return Vec::new() };
         let word = self.settings.neighbour(item, forward);
         // The word is one of the list, so it is taken.
         self.set_setting(item, word).unwrap_or_default()
@@ -101,7 +101,7 @@ impl App {
     ///
     /// # Errors
     /// The settings there are, or the words of one.
-    pub(in crate::app) fn set_command(&mut self, text: &str) -> Result<Vec<Effect>, String> {
+    pub(in crate::app) fn set_command(&mut self, text: &str) -> Result<Vec<Command>, String> {
         let (name, word) = match text.split_once([' ', '=']) {
             Some((name, word)) => (name.trim(), word.trim()),
             None => (text, ""),
@@ -110,8 +110,8 @@ impl App {
             self.mode = Mode::Settings { index: 0 };
             return Ok(Vec::new());
         }
-        let Some(item) = Item::named(name) else {
-            let names: Vec<&str> = Item::ALL.iter().map(|item| item.name()).collect();
+        let Some(item) = SettingItem::named(name) else {
+            let names: Vec<&str> = SettingItem::ALL.iter().map(|item| item.name()).collect();
             return Err(format!("settings: {}", names.join(", ")));
         };
         let effects = self.set_setting(item, word)?;

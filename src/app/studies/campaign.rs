@@ -3,15 +3,15 @@
 //! could be taken for current.
 
 use super::super::App;
-use super::super::message::Effect;
-use super::Page;
+use super::super::message::Command;
+use super::StudyPage;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::job::campaign::Campaign;
 use crate::job::order::{News, Progress, Task, What};
 use crate::study::case::Case;
-use crate::study::checks::{Answer, NoCheck, RUNS, inputs};
-use crate::study::verdict::Wanted;
-use crate::study::verdict::make::wires;
+use crate::study::checks::{CheckAnswer, NoCheck, RUNS, inputs};
+use crate::study::result::Wanted;
+use crate::study::result::make::wires;
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
 
@@ -20,44 +20,44 @@ const MOST_ANSWERS: usize = 2000;
 
 /// The campaigns of a session.
 #[derive(Debug, Default)]
-pub struct Campaigns {
-    answers: HashMap<Fingerprint, Arc<Answer>>,
+pub(crate) struct Campaigns {
+    answers: HashMap<Fingerprint, Arc<CheckAnswer>>,
     order: VecDeque<Fingerprint>,
-    running: Option<Running>,
+    running: Option<RunningCampaign>,
     /// What was checked last, by what it was asked for: the fingerprint of all cases.
     last: HashMap<Purpose, Fingerprint>,
 }
 
 /// What cases are for: other inputs make the checks of the same purpose stale.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Purpose {
+pub(crate) struct Purpose {
     /// The page.
-    pub page: Page,
+    pub(crate) page: StudyPage,
     /// The layout, by its uid.
-    pub uid: u64,
+    pub(crate) uid: u64,
     /// What the page asks of it, as the ranges of a sweep; 0 where there is nothing to choose.
-    pub question: u64,
+    pub(crate) question: u64,
 }
 
 /// A campaign that runs.
 #[derive(Debug, Clone)]
-pub struct Running {
+pub struct RunningCampaign {
     number: u64,
     /// What it is for.
-    pub purpose: Purpose,
+    pub(crate) purpose: Purpose,
     /// Of all cases of the page.
     all: Fingerprint,
     /// The cases that are checked, by fingerprint.
     keys: Vec<Fingerprint>,
     /// How far it is; nothing in its first quarter of a second.
-    pub progress: Option<Progress>,
+    pub(crate) progress: Option<Progress>,
     /// Cases that are done.
-    pub done: usize,
+    pub(crate) done: usize,
 }
 
-impl Running {
+impl RunningCampaign {
     /// Cases that are checked in all.
-    pub fn total(&self) -> usize {
+    pub(crate) fn total(&self) -> usize {
         self.keys.len()
     }
 }
@@ -75,13 +75,13 @@ pub struct Coverage {
 
 impl Coverage {
     /// Whether there is something to show or to come.
-    pub fn any(&self) -> bool {
+    pub(crate) fn any(&self) -> bool {
         self.have > 0
     }
 }
 
 impl Campaigns {
-    fn keep(&mut self, key: Fingerprint, answer: Arc<Answer>) {
+    fn keep(&mut self, key: Fingerprint, answer: Arc<CheckAnswer>) {
         if self.answers.insert(key, answer).is_none() {
             self.order.push_back(key);
         }
@@ -94,27 +94,27 @@ impl Campaigns {
 }
 
 /// Whether an answer is the whole of it, and asking again would give nothing else.
-fn whole(answer: &Answer) -> bool {
+fn whole(answer: &CheckAnswer) -> bool {
     match answer {
-        Ok(verdict) => !verdict.partial(),
+        Ok(result) => !result.partial(),
         Err(why) => *why != NoCheck::NotMade,
     }
 }
 
 impl App {
     /// What studies ask of each check: as many runs in all cases, so that they share their draws.
-    pub fn study_wanted(&self) -> Wanted {
+    pub(crate) fn study_wanted(&self) -> Wanted {
         let runs = self.settings.runs.unwrap_or(RUNS);
         Wanted { fidelity: self.study_fidelity(), runs: Some(runs), seed: 0 }
     }
 
     /// The campaign that runs.
-    pub fn campaign(&self) -> Option<&Running> {
+    pub fn campaign(&self) -> Option<&RunningCampaign> {
         self.studies.campaigns.running.as_ref()
     }
 
     /// The check of a case as its inputs are, or why there is none.
-    pub(super) fn found(&self, case: &Case) -> Answer {
+    pub(super) fn found(&self, case: &Case) -> CheckAnswer {
         match inputs(case, &self.study_wanted()) {
             Some(key) => {
                 let kept = self.studies.campaigns.answers.get(&key);
@@ -133,7 +133,7 @@ impl App {
     }
 
     /// What a page asks of the selected layout.
-    pub(super) fn purpose(&self, page: Page, question: u64) -> Purpose {
+    pub(super) fn purpose(&self, page: StudyPage, question: u64) -> Purpose {
         Purpose { page, uid: self.layout().uid, question }
     }
 
@@ -142,7 +142,7 @@ impl App {
         &self,
         purpose: Purpose,
         cases: &[Case],
-        answers: &[Answer],
+        answers: &[CheckAnswer],
     ) -> Coverage {
         let have = answers.iter().filter(|a| !matches!(a, Err(NoCheck::NotMade))).count();
         let last = self.studies.campaigns.last.get(&purpose);
@@ -151,7 +151,7 @@ impl App {
     }
 
     /// Orders the checks of the cases that have none yet.
-    pub(super) fn start_campaign(&mut self, purpose: Purpose, cases: Vec<Case>) -> Vec<Effect> {
+    pub(super) fn start_campaign(&mut self, purpose: Purpose, cases: Vec<Case>) -> Vec<Command> {
         if cases.is_empty() {
             self.complain("there is nothing to check here");
             return Vec::new();
@@ -181,9 +181,15 @@ impl App {
         }
         let order = self.order(Task::Campaign(Campaign { cases: missing, wanted }));
         self.give_way();
-        self.studies.campaigns.running =
-            Some(Running { number: order.number, purpose, all, keys, progress: None, done: 0 });
-        vec![Effect::Work(order)]
+        self.studies.campaigns.running = Some(RunningCampaign {
+            number: order.number,
+            purpose,
+            all,
+            keys,
+            progress: None,
+            done: 0,
+        });
+        vec![Command::Work(order)]
     }
 
     /// Forgets the campaign that runs: something else takes its place.

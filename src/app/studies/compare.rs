@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 /// A column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Head {
+pub enum ColumnHead {
     /// One of the comparison of forecasts.
     Of(Column),
     /// Mean force of the check, N.
@@ -23,27 +23,27 @@ pub enum Head {
     DemUtilisation,
 }
 
-impl Head {
+impl ColumnHead {
     /// All columns in the order of the table, the name first.
-    pub const ALL: [Head; 18] = [
-        Head::Of(Column::Name),
-        Head::Of(Column::Plate),
-        Head::Of(Column::Spacing),
-        Head::Of(Column::Punch),
-        Head::Of(Column::OffsetX),
-        Head::Of(Column::OffsetY),
-        Head::Of(Column::Force),
-        Head::Of(Column::Deflection),
-        Head::Of(Column::Utilisation),
-        Head::DemForce,
-        Head::DemOverForce,
-        Head::Of(Column::ForceRatio),
-        Head::Of(Column::DeflectionRatio),
-        Head::Of(Column::DesignDeflection),
-        Head::DemDeflection,
-        Head::DemOverDeflection,
-        Head::DemUtilisation,
-        Head::Of(Column::Mesh),
+    pub(crate) const ALL: [ColumnHead; 18] = [
+        ColumnHead::Of(Column::Name),
+        ColumnHead::Of(Column::Plate),
+        ColumnHead::Of(Column::Spacing),
+        ColumnHead::Of(Column::Punch),
+        ColumnHead::Of(Column::OffsetX),
+        ColumnHead::Of(Column::OffsetY),
+        ColumnHead::Of(Column::Force),
+        ColumnHead::Of(Column::Deflection),
+        ColumnHead::Of(Column::Utilisation),
+        ColumnHead::DemForce,
+        ColumnHead::DemOverForce,
+        ColumnHead::Of(Column::ForceRatio),
+        ColumnHead::Of(Column::DeflectionRatio),
+        ColumnHead::Of(Column::DesignDeflection),
+        ColumnHead::DemDeflection,
+        ColumnHead::DemOverDeflection,
+        ColumnHead::DemUtilisation,
+        ColumnHead::Of(Column::Mesh),
     ];
 }
 
@@ -60,7 +60,7 @@ pub struct Checked {
 
 /// What the page shows.
 #[derive(Debug)]
-pub struct View {
+pub struct CompareView {
     /// The layouts whose mesh is known, in the project's order.
     pub comparison: Comparison,
     /// Of each row, the layout's place in the project.
@@ -73,33 +73,33 @@ pub struct View {
     pub unknown: usize,
 }
 
-impl View {
+impl CompareView {
     /// Letter of a row's curve, by its place in the project; none for the many.
-    pub fn letter(&self, row: usize) -> Option<char> {
+    pub(crate) fn letter(&self, row: usize) -> Option<char> {
         let place = u8::try_from(*self.layouts.get(row)?).ok()?;
         (place < 26).then(|| char::from(b'A' + place))
     }
 
     /// What stands in a column of the checks.
-    pub fn number(&self, row: usize, head: Head) -> Option<f64> {
+    pub(crate) fn number(&self, row: usize, head: ColumnHead) -> Option<f64> {
         let checked = self.checked.get(row)?.as_ref()?;
         let figures = &checked.figures;
         // A stale check is of another panel than the forecast beside it.
         let difference = figures.difference.filter(|_| !checked.stale);
         match head {
-            Head::Of(_) => None,
-            Head::DemForce => figures.mean.map(|v| v.force),
-            Head::DemOverForce => difference.map(|d| d.force),
-            Head::DemDeflection => figures.mean.map(|v| v.deflection),
-            Head::DemOverDeflection => difference.map(|d| d.deflection),
-            Head::DemUtilisation => figures.utilisation.filter(|_| !checked.stale),
+            ColumnHead::Of(_) => None,
+            ColumnHead::DemForce => figures.mean.map(|v| v.force),
+            ColumnHead::DemOverForce => difference.map(|d| d.force),
+            ColumnHead::DemDeflection => figures.mean.map(|v| v.deflection),
+            ColumnHead::DemOverDeflection => difference.map(|d| d.deflection),
+            ColumnHead::DemUtilisation => figures.utilisation.filter(|_| !checked.stale),
         }
     }
 }
 
 /// Where the user is on the page.
 #[derive(Debug, Default)]
-pub struct State {
+pub(crate) struct CompareState {
     /// The marked layout, by its place in the project.
     pub(super) marked: usize,
     /// The column it is sorted by, by its place; nothing for the project's order.
@@ -107,12 +107,12 @@ pub struct State {
     falling: bool,
     /// First column shown behind the name.
     first: usize,
-    view: Option<View>,
+    view: Option<CompareView>,
 }
 
 impl App {
     /// The comparison; nothing where the page was never open.
-    pub fn comparison(&self) -> Option<&View> {
+    pub fn comparison(&self) -> Option<&CompareView> {
         self.studies.compare.view.as_ref()
     }
 
@@ -122,13 +122,13 @@ impl App {
     }
 
     /// The column the comparison is sorted by, and whether falling.
-    pub fn comparison_sort(&self) -> Option<(Head, bool)> {
+    pub fn comparison_sort(&self) -> Option<(ColumnHead, bool)> {
         let state = &self.studies.compare;
-        Some((*Head::ALL.get(state.sort?)?, state.falling))
+        Some((*ColumnHead::ALL.get(state.sort?)?, state.falling))
     }
 
-    /// The first column that is shown behind the name, by its place in [`Head::ALL`] less 1.
-    pub fn comparison_first(&self) -> usize {
+    /// The first column that is shown behind the name, by its place in [`ColumnHead::ALL`] less 1.
+    pub(crate) fn comparison_first(&self) -> usize {
         self.studies.compare.first
     }
 
@@ -144,12 +144,12 @@ impl App {
         let checked = layouts.iter().zip(&comparison.rows).map(|(index, row)| {
             let shown = self.kept_check(*index)?;
             Some(Checked {
-                figures: Figures::of(shown.verdict, row.values().ok(), &row.case.question),
+                figures: Figures::of(shown.result, row.values().ok(), &row.case.question),
                 stale: shown.stale(),
-                partial: shown.verdict.partial(),
+                partial: shown.result.partial(),
             })
         });
-        let mut view = View {
+        let mut view = CompareView {
             checked: checked.collect(),
             order: (0..layouts.len()).collect(),
             unknown: self.project.layouts.len() - layouts.len(),
@@ -166,7 +166,7 @@ impl App {
 
     pub(super) fn compare_ask(&mut self, ask: Ask) {
         let state = &mut self.studies.compare;
-        let last = Head::ALL.len() - 1;
+        let last = ColumnHead::ALL.len() - 1;
         match ask {
             Ask::NextColumn => state.first = (state.first + 1).min(last - 1),
             Ask::PreviousColumn => state.first = state.first.saturating_sub(1),
@@ -205,20 +205,20 @@ impl App {
 }
 
 /// A column in words.
-fn words(head: Head) -> &'static str {
+fn words(head: ColumnHead) -> &'static str {
     match head {
-        Head::Of(column) => column.word(),
-        Head::DemForce => "F of the check",
-        Head::DemOverForce => "the check's F over the forecast's",
-        Head::DemDeflection => "delta of the check",
-        Head::DemOverDeflection => "the check's delta over the forecast's",
-        Head::DemUtilisation => "utilisation by the check",
+        ColumnHead::Of(column) => column.word(),
+        ColumnHead::DemForce => "F of the check",
+        ColumnHead::DemOverForce => "the check's F over the forecast's",
+        ColumnHead::DemDeflection => "delta of the check",
+        ColumnHead::DemOverDeflection => "the check's delta over the forecast's",
+        ColumnHead::DemUtilisation => "utilisation by the check",
     }
 }
 
 /// The rows sorted by a column; those that have nothing there stand at the end either way.
-fn sorted(view: &View, head: Head, falling: bool) -> Vec<usize> {
-    if let Head::Of(column) = head {
+fn sorted(view: &CompareView, head: ColumnHead, falling: bool) -> Vec<usize> {
+    if let ColumnHead::Of(column) = head {
         return view.comparison.sorted(column, falling);
     }
     let mut order: Vec<usize> = (0..view.comparison.rows.len()).collect();

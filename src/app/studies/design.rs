@@ -1,14 +1,14 @@
 //! Which plate, spacing or punch just meets the design values of the selected layout.
 
 use super::super::App;
-use super::super::entry::{Entry, Target};
+use super::super::entry::{EditTarget, LineEntry};
 use super::super::field::Field;
 use super::campaign::Coverage;
 use super::typed::Typed;
-use super::{Ask, Mode, Page};
+use super::{Ask, Mode, StudyPage};
 use crate::fingerprint::Fingerprint;
-use crate::study::case::{Case, Input, Outcome};
-use crate::study::checks::Answer;
+use crate::study::case::{Case, CaseValue, Input};
+use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Crossing, Place, Requirement, Solution, solve};
 use std::sync::Arc;
@@ -18,11 +18,11 @@ const SOLVED: [Input; 3] = [Input::Plate, Input::Spacing, Input::Punch];
 
 /// What the page shows.
 #[derive(Debug)]
-pub struct View {
+pub struct DesignView {
     /// The layout as a case.
     pub case: Case,
     /// What it gives.
-    pub outcome: Outcome,
+    pub outcome: CaseValue,
     /// What can be asked of it; empty where no design value is set.
     pub asked: Vec<Requirement>,
     /// What is asked of it here.
@@ -30,7 +30,7 @@ pub struct View {
     /// The answers for d, L and D.
     pub solutions: Arc<Vec<Solution>>,
     /// A line for each value that just meets it, and one for each input that has none.
-    pub lines: Vec<Line>,
+    pub lines: Vec<DesignLine>,
     /// The marked line.
     pub marked: usize,
     /// How much of it is checked.
@@ -41,18 +41,18 @@ pub struct View {
 
 /// A line of the list.
 #[derive(Debug)]
-pub struct Line {
+pub struct DesignLine {
     /// The input.
     pub input: Input,
     /// What there is to take.
-    pub kind: Kind,
+    pub kind: DesignKind,
     /// What the check says of it.
     pub figures: Option<Figures>,
 }
 
 /// What a line offers.
 #[derive(Debug)]
-pub enum Kind {
+pub enum DesignKind {
     /// A value at which the requirement comes to be met or not.
     Take {
         /// The crossing.
@@ -60,7 +60,7 @@ pub enum Kind {
         /// The value to take, m: the nearest whole millimetre that meets it, or the crossing.
         value: f64,
         /// What it gives.
-        outcome: Outcome,
+        outcome: CaseValue,
     },
     /// The whole range meets it.
     Always,
@@ -70,32 +70,32 @@ pub enum Kind {
 
 /// Where the user is on the page.
 #[derive(Debug, Default)]
-pub struct State {
+pub(crate) struct DesignState {
     requirement: Option<Requirement>,
     marked: usize,
     /// The last solutions with what they were made of: solving takes some milliseconds.
     solved: Option<(Fingerprint, Requirement, Arc<Vec<Solution>>)>,
-    view: Option<View>,
+    view: Option<DesignView>,
 }
 
-impl State {
+impl DesignState {
     /// The cases to check: the layout, and each value that can be taken.
     pub(super) fn cases(&self) -> Vec<Case> {
         self.view.as_ref().map_or(Vec::new(), |view| cases(&view.case, &view.lines))
     }
 }
 
-fn cases(case: &Case, lines: &[Line]) -> Vec<Case> {
+fn cases(case: &Case, lines: &[DesignLine]) -> Vec<Case> {
     let taken = lines.iter().filter_map(|line| match &line.kind {
-        Kind::Take { value, .. } => Some(case.with(line.input, *value)),
-        Kind::Always | Kind::Never(_) => None,
+        DesignKind::Take { value, .. } => Some(case.with(line.input, *value)),
+        DesignKind::Always | DesignKind::Never(_) => None,
     });
     std::iter::once(case.clone()).chain(taken).collect()
 }
 
 impl App {
     /// The design page; nothing where it is not open or the layout's mesh is not known.
-    pub fn design(&self) -> Option<&View> {
+    pub fn design(&self) -> Option<&DesignView> {
         self.studies.design.view.as_ref()
     }
 
@@ -104,7 +104,7 @@ impl App {
         self.studies.design.view = view;
     }
 
-    fn design_of(&mut self, case: Case) -> View {
+    fn design_of(&mut self, case: Case) -> DesignView {
         let asked = Requirement::asked(&case.question);
         let chosen = self.studies.design.requirement.filter(|r| asked.contains(r));
         // Both at once stands last.
@@ -113,37 +113,37 @@ impl App {
         let mut lines = Vec::new();
         for solution in solutions.iter() {
             let input = solution.input;
-            let line = |kind| Line { input, kind, figures: None };
+            let line = |kind| DesignLine { input, kind, figures: None };
             if solution.always() {
-                lines.push(line(Kind::Always));
+                lines.push(line(DesignKind::Always));
             } else if solution.never() {
-                lines.push(line(Kind::Never(solution.best.clone())));
+                lines.push(line(DesignKind::Never(solution.best.clone())));
             }
             for crossing in &solution.crossings {
                 let value = crossing.rounded.unwrap_or(crossing.value);
                 let outcome = case.with(input, value).outcome();
                 let crossing = Box::new(crossing.clone());
-                lines.push(line(Kind::Take { crossing, value, outcome }));
+                lines.push(line(DesignKind::Take { crossing, value, outcome }));
             }
         }
         let all = cases(&case, &lines);
-        let answers: Vec<Answer> = all.iter().map(|case| self.found(case)).collect();
-        let coverage = self.coverage(self.purpose(Page::Design, 0), &all, &answers);
-        let figures = |answer: Option<&Answer>, outcome: &Outcome| {
-            let verdict = answer?.as_ref().ok()?;
+        let answers: Vec<CheckAnswer> = all.iter().map(|case| self.found(case)).collect();
+        let coverage = self.coverage(self.purpose(StudyPage::Design, 0), &all, &answers);
+        let figures = |answer: Option<&CheckAnswer>, outcome: &CaseValue| {
+            let result = answer?.as_ref().ok()?;
             let forecast = outcome.as_ref().ok().map(|p| p.values());
-            Some(Figures::of(verdict, forecast, &case.question))
+            Some(Figures::of(result, forecast, &case.question))
         };
         let outcome = case.outcome();
         let own = figures(answers.first(), &outcome);
         let mut rest = answers.iter().skip(1);
         for line in &mut lines {
-            if let Kind::Take { outcome, .. } = &line.kind {
+            if let DesignKind::Take { outcome, .. } = &line.kind {
                 line.figures = figures(rest.next(), outcome);
             }
         }
         let marked = self.studies.design.marked.min(lines.len().saturating_sub(1));
-        View { asked, requirement, solutions, lines, marked, coverage, own, outcome, case }
+        DesignView { asked, requirement, solutions, lines, marked, coverage, own, outcome, case }
     }
 
     /// The solutions, made anew only where something changed.
@@ -183,7 +183,7 @@ impl App {
 
     /// Begins to type a design value.
     pub(super) fn type_design(&mut self, field: Field, text: impl Into<String>) {
-        self.mode = Mode::Entry(Entry::new(Target::Study(Typed::Design(field)), text));
+        self.mode = Mode::Entry(LineEntry::new(EditTarget::Study(Typed::Design(field)), text));
     }
 
     fn next_requirement(&mut self, next: bool) {
@@ -205,12 +205,12 @@ impl App {
         };
         let symbol = line.input.symbol();
         match &line.kind {
-            Kind::Take { value, .. } => {
+            DesignKind::Take { value, .. } => {
                 let case = view.case.with(line.input, *value);
                 self.take_into_layout(case, symbol);
             }
-            Kind::Always => self.inform(format!("every {symbol} of the range meets it")),
-            Kind::Never(_) => self.complain(format!("no {symbol} of the range meets it")),
+            DesignKind::Always => self.inform(format!("every {symbol} of the range meets it")),
+            DesignKind::Never(_) => self.complain(format!("no {symbol} of the range meets it")),
         }
     }
 }

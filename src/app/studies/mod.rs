@@ -6,18 +6,18 @@
 //!
 //! What a page shows is made anew after each message while the page is open, and never while drawing.
 
-pub mod campaign;
-pub mod compare;
-pub mod design;
-pub mod sensitivity;
-pub mod sweep;
-pub mod typed;
+pub(crate) mod campaign;
+pub(crate) mod compare;
+pub(crate) mod design;
+pub(crate) mod sensitivity;
+pub(crate) mod sweep;
+pub(crate) mod typed;
 
-use super::entry::{Entry, Target};
+use super::entry::{EditTarget, LineEntry};
 use super::field::Field;
 use super::key::{Code, Key};
 use super::keymap::{Action, Context};
-use super::message::Effect;
+use super::message::Command;
 use super::{App, Mode, derived};
 use crate::dem::Fidelity;
 use crate::study::case::Case;
@@ -28,7 +28,7 @@ use std::sync::Arc;
 
 /// A page of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Page {
+pub enum StudyPage {
     /// How the answer moves with each input.
     Sensitivity,
     /// One input over a range, or two over a map.
@@ -39,24 +39,24 @@ pub enum Page {
     Design,
 }
 
-impl Page {
+impl StudyPage {
     /// The word for headings and messages.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
-            Page::Sensitivity => "sensitivity",
-            Page::Sweep => "sweep",
-            Page::Compare => "compare",
-            Page::Design => "design",
+            StudyPage::Sensitivity => "sensitivity",
+            StudyPage::Sweep => "sweep",
+            StudyPage::Compare => "compare",
+            StudyPage::Design => "design",
         }
     }
 
     /// The screen whose keys hold on it.
-    pub fn context(self) -> Context {
+    pub(crate) fn context(self) -> Context {
         match self {
-            Page::Sensitivity => Context::Sensitivity,
-            Page::Sweep => Context::Sweep,
-            Page::Compare => Context::Compare,
-            Page::Design => Context::Design,
+            StudyPage::Sensitivity => Context::Sensitivity,
+            StudyPage::Sweep => Context::Sweep,
+            StudyPage::Compare => Context::Compare,
+            StudyPage::Design => Context::Design,
         }
     }
 }
@@ -65,7 +65,7 @@ impl Page {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ask {
     /// Open a page.
-    Open(Page),
+    Open(StudyPage),
     /// Go to the next column.
     NextColumn,
     /// Go to the previous column.
@@ -102,22 +102,22 @@ pub enum Ask {
 
 /// All that the state knows of studies. It outlives the pages, so that a page comes back as it was.
 #[derive(Debug, Default)]
-pub struct Studies {
+pub(crate) struct Studies {
     campaigns: Campaigns,
     /// How exactly the checks of studies compute; quick where nothing was said.
     fidelity: Option<Fidelity>,
-    sensitivity: sensitivity::State,
-    sweep: sweep::State,
-    compare: compare::State,
-    design: design::State,
+    sensitivity: sensitivity::SensitivityState,
+    sweep: sweep::SweepState,
+    compare: compare::CompareState,
+    design: design::DesignState,
 }
 
 impl App {
     /// The page that is open, also while a text for it is typed.
-    pub fn page_open(&self) -> Option<Page> {
+    pub fn page_open(&self) -> Option<StudyPage> {
         match &self.mode {
             Mode::Study(page) => Some(*page),
-            Mode::Entry(Entry { target: Target::Study(typed), .. }) => Some(typed.page()),
+            Mode::Entry(LineEntry { target: EditTarget::Study(typed), .. }) => Some(typed.page()),
             _ => None,
         }
     }
@@ -132,7 +132,7 @@ impl App {
     }
 
     /// A layout as a case of a study; nothing where its mesh is not known.
-    pub fn case(&self, index: usize) -> Option<Case> {
+    pub(crate) fn case(&self, index: usize) -> Option<Case> {
         let layout = self.project.layouts.get(index)?;
         Some(Case {
             layout: layout.layout(),
@@ -143,16 +143,16 @@ impl App {
     }
 
     /// What a key asks for on a page of a study; nothing where it means what it means elsewhere.
-    pub(super) fn study_act(&mut self, page: Page, action: Action) -> Option<Vec<Effect>> {
+    pub(super) fn study_act(&mut self, page: StudyPage, action: Action) -> Option<Vec<Command>> {
         match action {
             Action::Up => self.study_move(page, -1),
             Action::Down => self.study_move(page, 1),
             Action::Check => return Some(self.start_study(page)),
             Action::Stop if self.campaign().is_some() => return None,
             Action::Stop => self.mode = Mode::Main,
-            Action::Fidelity if page != Page::Compare => self.next_study_fidelity(),
+            Action::Fidelity if page != StudyPage::Compare => self.next_study_fidelity(),
             Action::Take => self.study_take(page),
-            Action::Type if page == Page::Sweep => return Some(self.type_slot(None)),
+            Action::Type if page == StudyPage::Sweep => return Some(self.type_slot(None)),
             _ => return None,
         }
         Some(Vec::new())
@@ -164,65 +164,65 @@ impl App {
             return self.open_page(page);
         }
         match self.page_open() {
-            Some(Page::Sensitivity) => self.sensitivity_ask(ask),
-            Some(Page::Sweep) => self.sweep_ask(ask),
-            Some(Page::Compare) => self.compare_ask(ask),
-            Some(Page::Design) => self.design_ask(ask),
+            Some(StudyPage::Sensitivity) => self.sensitivity_ask(ask),
+            Some(StudyPage::Sweep) => self.sweep_ask(ask),
+            Some(StudyPage::Compare) => self.compare_ask(ask),
+            Some(StudyPage::Design) => self.design_ask(ask),
             None => {}
         }
     }
 
     /// A key that has no meaning on a page: a digit starts a value where one can be typed.
-    pub(super) fn study_key(&mut self, page: Page, key: Key) {
+    pub(super) fn study_key(&mut self, page: StudyPage, key: Key) {
         if let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key
             && (c.is_ascii_digit() || matches!(c, '.' | '-'))
         {
             match page {
-                Page::Sweep => {
+                StudyPage::Sweep => {
                     self.type_slot(Some(c));
                     return;
                 }
-                Page::Design => return self.type_design(Field::DesignForce, c),
-                Page::Sensitivity | Page::Compare => {}
+                StudyPage::Design => return self.type_design(Field::DesignForce, c),
+                StudyPage::Sensitivity | StudyPage::Compare => {}
             }
         }
         self.inform(format!("{key} does nothing here; ? shows the keys"));
     }
 
-    fn open_page(&mut self, page: Page) {
+    fn open_page(&mut self, page: StudyPage) {
         self.mode = Mode::Study(page);
-        if page == Page::Compare {
+        if page == StudyPage::Compare {
             self.studies.compare.marked = self.selected;
         }
     }
 
-    fn study_move(&mut self, page: Page, lines: isize) {
+    fn study_move(&mut self, page: StudyPage, lines: isize) {
         match page {
-            Page::Sensitivity => self.sensitivity_move(lines),
-            Page::Sweep => self.sweep_move(lines),
-            Page::Compare => self.compare_move(lines),
-            Page::Design => self.design_move(lines),
+            StudyPage::Sensitivity => self.sensitivity_move(lines),
+            StudyPage::Sweep => self.sweep_move(lines),
+            StudyPage::Compare => self.compare_move(lines),
+            StudyPage::Design => self.design_move(lines),
         }
     }
 
-    fn study_take(&mut self, page: Page) {
+    fn study_take(&mut self, page: StudyPage) {
         match page {
-            Page::Compare => self.compare_take(),
-            Page::Design => self.design_take(),
-            Page::Sensitivity | Page::Sweep => {}
+            StudyPage::Compare => self.compare_take(),
+            StudyPage::Design => self.design_take(),
+            StudyPage::Sensitivity | StudyPage::Sweep => {}
         }
     }
 
     /// Orders the checks of a page.
-    fn start_study(&mut self, page: Page) -> Vec<Effect> {
+    fn start_study(&mut self, page: StudyPage) -> Vec<Command> {
         match page {
             // A layout's own check is the one that the project keeps.
-            Page::Compare => self.start_check(true),
-            Page::Sensitivity => {
+            StudyPage::Compare => self.start_check(true),
+            StudyPage::Sensitivity => {
                 let cases = self.studies.sensitivity.cases();
                 self.start_campaign(self.purpose(page, 0), cases)
             }
-            Page::Sweep => match self.studies.sweep.cases() {
+            StudyPage::Sweep => match self.studies.sweep.cases() {
                 Ok(cases) => {
                     let question = self.studies.sweep.question();
                     self.start_campaign(self.purpose(page, question), cases)
@@ -232,7 +232,7 @@ impl App {
                     Vec::new()
                 }
             },
-            Page::Design => {
+            StudyPage::Design => {
                 let cases = self.studies.design.cases();
                 self.start_campaign(self.purpose(page, 0), cases)
             }
@@ -242,10 +242,10 @@ impl App {
     /// Makes what the open page shows anew.
     pub(super) fn follow_page(&mut self) {
         match self.page_open() {
-            Some(Page::Sensitivity) => self.make_sensitivity(),
-            Some(Page::Sweep) => self.make_sweep(),
-            Some(Page::Compare) => self.make_comparison(),
-            Some(Page::Design) => self.make_design(),
+            Some(StudyPage::Sensitivity) => self.make_sensitivity(),
+            Some(StudyPage::Sweep) => self.make_sweep(),
+            Some(StudyPage::Compare) => self.make_comparison(),
+            Some(StudyPage::Design) => self.make_design(),
             None => {}
         }
     }
@@ -274,7 +274,7 @@ impl App {
     }
 
     /// How exactly the checks of studies compute.
-    pub fn study_fidelity(&self) -> Fidelity {
+    pub(crate) fn study_fidelity(&self) -> Fidelity {
         self.studies.fidelity.unwrap_or(Fidelity::Quick)
     }
 

@@ -2,15 +2,15 @@
 
 use super::super::App;
 use super::campaign::Coverage;
-use super::{Ask, Page, neighbour};
+use super::{Ask, StudyPage, neighbour};
 use crate::study::case::Case;
-use crate::study::checks::Answer;
+use crate::study::checks::CheckAnswer;
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Effect, Sensitivity, sensitivity};
 
 /// What the page shows.
 #[derive(Debug)]
-pub struct View {
+pub struct SensitivityView {
     /// The layout as a case.
     pub case: Case,
     /// By the forecast.
@@ -27,13 +27,13 @@ pub struct View {
 
 /// Where the user is on the page.
 #[derive(Debug, Default)]
-pub struct State {
+pub(crate) struct SensitivityState {
     effect: Option<Effect>,
     scroll: usize,
-    view: Option<View>,
+    view: Option<SensitivityView>,
 }
 
-impl State {
+impl SensitivityState {
     /// The cases to check.
     pub(super) fn cases(&self) -> Vec<Case> {
         self.view.as_ref().map_or(Vec::new(), |view| dem::cases(&view.case))
@@ -42,21 +42,21 @@ impl State {
 
 impl App {
     /// The sensitivity; nothing where the page is not open or the layout's mesh is not known.
-    pub fn sensitivity(&self) -> Option<&View> {
+    pub fn sensitivity(&self) -> Option<&SensitivityView> {
         self.studies.sensitivity.view.as_ref()
     }
 
     pub(super) fn make_sensitivity(&mut self) {
         let view = self.case(self.selected).map(|case| {
             let cases = dem::cases(&case);
-            let answers: Vec<Answer> = cases.iter().map(|case| self.found(case)).collect();
+            let answers: Vec<CheckAnswer> = cases.iter().map(|case| self.found(case)).collect();
             let asked = case.question.force.is_some();
             let state = &self.studies.sensitivity;
             let effect = state.effect.filter(|e| asked || *e != Effect::Utilisation);
-            View {
+            SensitivityView {
                 forecast: sensitivity(&case),
                 checked: dem::assemble(&case, &answers),
-                coverage: self.coverage(self.purpose(Page::Sensitivity, 0), &cases, &answers),
+                coverage: self.coverage(self.purpose(StudyPage::Sensitivity, 0), &cases, &answers),
                 effect: effect.unwrap_or(Effect::Force),
                 scroll: state.scroll,
                 case,

@@ -2,19 +2,19 @@
 //! after the other where they were asked for.
 
 use super::super::App;
-use super::super::entry::{Entry, Target};
+use super::super::entry::{EditTarget, LineEntry};
 use super::super::field::{Field, StepSize};
-use super::super::message::Effect as Command;
+use super::super::message::Command;
 use super::campaign::Coverage;
 use super::typed::Typed;
-use super::{Ask, Mode, Page, neighbour};
+use super::{Ask, Mode, StudyPage, neighbour};
 use crate::fingerprint::Fingerprinter;
 use crate::problem::Problem;
-use crate::study::case::{Case, Input, Outcome};
+use crate::study::case::{Case, CaseValue, Input};
 use crate::study::checks::figures::Figures;
-use crate::study::checks::{Answer, NoCheck};
+use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
-use crate::study::sweep::{Axis, Grid, dem, sweep};
+use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 
 /// Values of the first input where nobody says otherwise.
@@ -22,13 +22,13 @@ const FIRST: usize = 9;
 /// Values of the second input where nobody says otherwise.
 const SECOND: usize = 5;
 /// Most values of an input on the screen; the command line takes more.
-pub const MOST: usize = 61;
+pub(crate) const MOST: usize = 61;
 /// Points through which the forecast's line is drawn.
 const LINE: usize = 161;
 
 /// What is chosen or typed at the head of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Slot {
+pub(crate) enum Slot {
     /// Which input.
     Input,
     /// First value of its range.
@@ -43,21 +43,21 @@ const SLOTS: [Slot; 4] = [Slot::Input, Slot::From, Slot::To, Slot::Steps];
 
 /// What the page shows.
 #[derive(Debug)]
-pub struct View {
+pub struct SweepView {
     /// The layout as a case.
     pub case: Case,
     /// The ranges, whether they are sound or not.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<SweepAxis>,
     /// What is wrong with them.
     pub problems: Vec<Problem>,
     /// The points; nothing where the ranges are not sound.
     pub grid: Option<Grid>,
     /// The forecast at the points.
-    pub points: Vec<Outcome>,
+    pub points: Vec<CaseValue>,
     /// The forecast along the line in finer steps: value of the input and outcome; empty for a map.
-    pub line: Vec<(f64, Outcome)>,
+    pub line: Vec<(f64, CaseValue)>,
     /// The checks at the points, as far as there are any.
-    pub answers: Vec<Answer>,
+    pub answers: Vec<CheckAnswer>,
     /// What they say beside the forecast.
     pub figures: Vec<Option<Figures>>,
     /// How much of it is checked.
@@ -74,7 +74,7 @@ pub struct View {
 
 /// Where the user is on the page.
 #[derive(Debug)]
-pub struct State {
+pub(crate) struct SweepState {
     first: Input,
     second: Option<Input>,
     /// Ranges that were changed, by the place of the input.
@@ -85,12 +85,12 @@ pub struct State {
     shown: Option<Effect>,
     marked: usize,
     checks_shown: bool,
-    view: Option<View>,
+    view: Option<SweepView>,
 }
 
-impl Default for State {
+impl Default for SweepState {
     fn default() -> Self {
-        State {
+        SweepState {
             first: Input::Spacing,
             second: None,
             ranges: [None; 7],
@@ -131,7 +131,7 @@ fn step_of(input: Input) -> f64 {
     field.step(StepSize::Fine)
 }
 
-impl State {
+impl SweepState {
     fn inputs(&self) -> Vec<Input> {
         std::iter::once(self.first).chain(self.second).collect()
     }
@@ -140,11 +140,11 @@ impl State {
         self.ranges[place(input)].unwrap_or_else(|| usual_range(input, case))
     }
 
-    fn axes(&self, case: &Case) -> Vec<Axis> {
+    fn axes(&self, case: &Case) -> Vec<SweepAxis> {
         let all = self.inputs().into_iter().zip(self.steps);
         all.map(|(input, steps)| {
             let (from, to) = self.range(input, case);
-            Axis { input, from, to, steps }
+            SweepAxis { input, from, to, steps }
         })
         .collect()
     }
@@ -177,12 +177,12 @@ impl State {
 
 impl App {
     /// The sweep; nothing where the page is not open or the layout's mesh is not known.
-    pub fn sweep(&self) -> Option<&View> {
+    pub fn sweep(&self) -> Option<&SweepView> {
         self.studies.sweep.view.as_ref()
     }
 
     /// The slot that the arrows change: of the first input (0) or the second (1), and which.
-    pub fn sweep_slot(&self) -> (usize, Slot) {
+    pub(crate) fn sweep_slot(&self) -> (usize, Slot) {
         self.studies.sweep.slot
     }
 
@@ -194,7 +194,7 @@ impl App {
         self.studies.sweep.view = view;
     }
 
-    fn sweep_of(&self, case: Case) -> View {
+    fn sweep_of(&self, case: Case) -> SweepView {
         let state = &self.studies.sweep;
         let axes = state.axes(&case);
         // There always is a first one.
@@ -205,7 +205,7 @@ impl App {
         };
         let asked = case.question.force.is_some();
         let shown = state.shown.filter(|e| asked || *e != Effect::Utilisation);
-        let mut view = View {
+        let mut view = SweepView {
             axes,
             problems: Vec::new(),
             grid: None,
@@ -222,13 +222,13 @@ impl App {
         };
         let grid = match made {
             Ok(grid) => grid,
-            Err(problems) => return View { problems, ..view },
+            Err(problems) => return SweepView { problems, ..view },
         };
         match dem::cases(&view.case, &grid) {
             Ok(cases) => {
                 view.answers = cases.iter().map(|case| self.found(case)).collect();
                 view.coverage = self.coverage(
-                    self.purpose(Page::Sweep, state.question()),
+                    self.purpose(StudyPage::Sweep, state.question()),
                     &cases,
                     &view.answers,
                 );
@@ -244,7 +244,7 @@ impl App {
             .collect();
         view.marked = state.marked.min(grid.len().saturating_sub(1));
         if grid.second.is_none()
-            && let Ok(fine) = Grid::new(Axis { steps: LINE, ..grid.first }, None)
+            && let Ok(fine) = Grid::new(SweepAxis { steps: LINE, ..grid.first }, None)
         {
             let columns = fine.columns.clone();
             view.line = columns.into_iter().zip(sweep(&view.case, fine).points).collect();
@@ -369,7 +369,7 @@ impl App {
             (None, Slot::To) => entry(range.to),
             (None, Slot::Steps) => range.steps.to_string(),
         };
-        self.mode = Mode::Entry(Entry::new(Target::Study(Typed::Range(axis, slot)), text));
+        self.mode = Mode::Entry(LineEntry::new(EditTarget::Study(Typed::Range(axis, slot)), text));
         Vec::new()
     }
 

@@ -2,12 +2,12 @@
 
 use super::super::App;
 use super::super::field::Field;
-use super::Page;
+use super::StudyPage;
 use super::sweep::Slot;
 
 /// What a typed text is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Typed {
+pub(crate) enum Typed {
     /// A design value or a partial factor of the selected layout.
     Design(Field),
     /// A part of a range: of the first input (0) or the second (1), and which.
@@ -16,15 +16,15 @@ pub enum Typed {
 
 impl Typed {
     /// The page it belongs to.
-    pub fn page(self) -> Page {
+    pub(crate) fn page(self) -> StudyPage {
         match self {
-            Typed::Design(_) => Page::Design,
-            Typed::Range(..) => Page::Sweep,
+            Typed::Design(_) => StudyPage::Design,
+            Typed::Range(..) => StudyPage::Sweep,
         }
     }
 
     /// What the prompt says.
-    pub fn prompt(self) -> &'static str {
+    pub(crate) fn prompt(self) -> &'static str {
         match self {
             Typed::Design(field) => field.phrase(),
             Typed::Range(_, Slot::Input) => "input",

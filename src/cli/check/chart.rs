@@ -8,7 +8,7 @@ const COLUMNS: usize = 60;
 const ROWS: usize = 14;
 
 /// A curve and the character it is drawn with.
-pub struct Line<'a> {
+pub(super) struct ChartLine<'a> {
     /// The points.
     pub curve: &'a Curve,
     /// The character.
@@ -16,7 +16,7 @@ pub struct Line<'a> {
 }
 
 /// The curves in one drawing, the later ones over the earlier ones. Failure points are `X`.
-pub fn draw(lines: &[Line], unit: LengthUnit) -> Vec<String> {
+pub(crate) fn draw(lines: &[ChartLine], unit: LengthUnit) -> Vec<String> {
     let points = || lines.iter().flat_map(|l| l.curve.points());
     let most = |values: &mut dyn Iterator<Item = f64>| {
         values.filter(|v| v.is_finite()).fold(0.0, f64::max)
@@ -83,7 +83,7 @@ mod tests {
         let end = Point { deflection: 0.5, force: 20_000.0 };
         let curve =
             Curve { deflection: vec![0.0, 0.5], force: vec![0.0, 20_000.0], failure: Some(end) };
-        let drawn = draw(&[Line { curve: &curve, sign: '*' }], LengthUnit::Metre);
+        let drawn = draw(&[ChartLine { curve: &curve, sign: '*' }], LengthUnit::Metre);
         assert!(drawn[0].starts_with("    20.0 |") && drawn[0].contains("X  kN"), "{}", drawn[0]);
         assert!(drawn[ROWS - 1].starts_with("       0 |*"));
         assert!(drawn[..ROWS].iter().all(|row| row.contains(['*', 'X'])));

@@ -6,7 +6,7 @@ use crate::units::{to_kn, without_noise};
 use std::fmt::Write;
 
 /// The table; several layouts share it, with the layout's name in front.
-pub fn report(checked: &[Checked], several: bool) -> String {
+pub(crate) fn report(checked: &[Checked], several: bool) -> String {
     let mut out =
         String::from(if several { "layout,run,delta_m,F_kN\n" } else { "run,delta_m,F_kN\n" });
     for c in checked {

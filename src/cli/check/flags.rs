@@ -33,7 +33,7 @@ Ctrl+C ends with the runs made so far, exit code 130.";
 /// Check a forecast by discrete elements: the punch test of the net, wire by wire.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
-pub struct CheckArgs {
+pub(crate) struct CheckArgs {
     /// Project file; without it, one layout from the flags below.
     #[arg(value_name = "PROJECT.ron")]
     pub(super) project: Option<PathBuf>,
@@ -85,13 +85,13 @@ pub struct CheckArgs {
     #[arg(long, value_name = "SET", hide = true, value_parser = instructions())]
     instructions: Option<Instructions>,
     /// How the result is written: JSON in SI with kN; CSV holds the curves.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(super) format: CheckFormat,
 }
 
 /// How a check is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
+pub(super) enum CheckFormat {
     /// A text for people.
     Text,
     /// JSON, SI with kN.

@@ -11,7 +11,7 @@ use crate::units::{to_kn, without_noise};
 use serde::Serialize;
 
 /// One object, or a list of them with one line each.
-pub fn report(checked: &[Checked], several: bool) -> Result<String, Fault> {
+pub(crate) fn report(checked: &[Checked], several: bool) -> Result<String, Fault> {
     json_list(checked.iter().map(Report::of), several)
 }
 

@@ -11,11 +11,11 @@ mod json;
 mod remarks;
 mod text;
 
-pub use flags::CheckArgs;
+pub(crate) use flags::CheckArgs;
 pub(super) use flags::{fidelity, runs, threads};
 
 use super::case::{Case, Inputs};
-use super::output::{Fault, Outcome, Output, say};
+use super::output::{CommandEnd, Fault, Output, say};
 use super::shapes::WarningJson;
 use super::watch::Watch;
 use super::wire::Wires;
@@ -27,8 +27,8 @@ use crate::mesh::STANDARD_PUNCH;
 use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
-use crate::study::verdict::make::expected_break;
-use flags::Format;
+use crate::study::result::make::expected_break;
+use flags::CheckFormat;
 
 /// One case with its check.
 #[derive(Debug)]
@@ -81,7 +81,7 @@ struct Ready {
 }
 
 /// Runs the checks and writes the result in the form asked for.
-pub fn run(args: &CheckArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     let mut unit = ui.units;
     let inputs = Inputs::from(args.geometry.clone());
     let cases = match &args.project {
@@ -114,9 +114,9 @@ pub fn run(args: &CheckArgs, ui: &UiFlags) -> Outcome {
     notes.iter().for_each(|note| say("note", note));
     let (checked, interrupted) = check_all(ready)?;
     let result = match args.format {
-        Format::Text => text::report(&checked, unit.unwrap_or_default()),
-        Format::Json => json::report(&checked, several)?,
-        Format::Csv => csv::report(&checked, several),
+        CheckFormat::Text => text::report(&checked, unit.unwrap_or_default()),
+        CheckFormat::Json => json::report(&checked, several)?,
+        CheckFormat::Csv => csv::report(&checked, several),
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

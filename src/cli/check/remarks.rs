@@ -11,7 +11,7 @@ use crate::units::{significant, to_kn};
 const MUCH_STRETCH: f64 = 0.02;
 
 /// The remarks on a check, the heaviest first.
-pub fn of(c: &Checked) -> Vec<WarningJson> {
+pub(crate) fn of(c: &Checked) -> Vec<WarningJson> {
     let mut list = Vec::new();
     let mut say = |code, weight: Weight, message: String| {
         list.push((weight, WarningJson { code, weight: weight.word(), message }));

@@ -1,6 +1,6 @@
 //! A check as a text for people, 80 columns wide.
 
-use super::chart::{Line, draw};
+use super::chart::{ChartLine, draw};
 use super::json::kind;
 use super::{Checked, VERSION};
 use crate::cli::output::wrapped;
@@ -18,7 +18,7 @@ const MARGIN: usize = 14;
 const LISTED: usize = 12;
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(checked: &[Checked], unit: LengthUnit) -> String {
+pub(crate) fn report(checked: &[Checked], unit: LengthUnit) -> String {
     if checked.is_empty() {
         return "The project has no layouts.\n".to_string();
     }
@@ -152,9 +152,9 @@ fn side_by_side(page: &mut Page, c: &Checked) {
 
 fn curves(page: &mut Page, c: &Checked) {
     let expected: Option<Curve> = c.forecast.field.map(|f| f.curve(CURVE_POINTS));
-    let expected = expected.as_ref().map(|curve| Line { curve, sign: '.' });
-    let ours = c.ensemble.runs.iter().map(|r| Line { curve: &r.outcome.curve, sign: '*' });
-    let lines: Vec<Line> = ours.chain(expected).collect();
+    let expected = expected.as_ref().map(|curve| ChartLine { curve, sign: '.' });
+    let ours = c.ensemble.runs.iter().map(|r| ChartLine { curve: &r.outcome.curve, sign: '*' });
+    let lines: Vec<ChartLine> = ours.chain(expected).collect();
     let drawn = draw(&lines, page.unit);
     if drawn.is_empty() {
         return;

@@ -8,7 +8,7 @@ use crate::study::checks::figures::Figures;
 use crate::units::{LengthUnit, significant, to_kn};
 
 /// The table of the checks with what to know of them; nothing where none were asked for.
-pub fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
+pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
     let Some((wanted, answers)) = &compared.checked else { return };
     let rows = &compared.comparison.rows;
     let unit = page.unit;
@@ -26,15 +26,15 @@ pub fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
     for index in order {
         // As many answers as rows.
         let (Some(row), Some(answer)) = (rows.get(*index), answers.get(*index)) else { continue };
-        let verdict = match answer {
-            Ok(verdict) => verdict,
+        let result = match answer {
+            Ok(result) => result,
             Err(why) => {
                 let name = cut(&row.name, NAME);
                 page.lines.push(format!("  {name}{:>28}", why.short()));
                 continue;
             }
         };
-        let f = Figures::of(verdict, row.values().ok(), &row.case.question);
+        let f = Figures::of(result, row.values().ok(), &row.case.question);
         let none = || "-".to_string();
         let over = |part: Option<f64>| part.map_or_else(none, |v| format!("{:+.1}", 100.0 * v));
         let length = |v: f64| match unit {

@@ -8,7 +8,7 @@ use crate::cli::output::{Fault, cell, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Design, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::warning::Weight;
-use crate::study::compare::Row;
+use crate::study::compare::CompareRow;
 use crate::units::to_kn;
 use serde::Serialize;
 use std::fmt::Write;
@@ -67,12 +67,12 @@ struct RatiosJson {
 }
 
 /// The mark of a row's warnings: `!` for what weighs more than a note.
-pub fn mark(row: &Row) -> &'static str {
+pub(crate) fn mark(row: &CompareRow) -> &'static str {
     if row.weight() >= Some(Weight::Caution) { "!" } else { "" }
 }
 
 /// One object with a list of the layouts.
-pub fn json(compared: &Compared, order: &[usize]) -> Result<String, Fault> {
+pub(crate) fn json(compared: &Compared, order: &[usize]) -> Result<String, Fault> {
     let c = &compared.comparison;
     let report = Report {
         version: VERSION,
@@ -119,7 +119,7 @@ fn row(compared: &Compared, index: usize) -> RowJson<'_> {
 }
 
 /// One line a layout.
-pub fn csv(compared: &Compared, order: &[usize]) -> String {
+pub(crate) fn csv(compared: &Compared, order: &[usize]) -> String {
     let c = &compared.comparison;
     let mut out = String::from(
         "layout,mesh,d_m,L_m,D_m,ex_m,ey_m,F_kN,delta_m,F_field_over_lab,delta_field_over_lab,utilisation,design_delta_m,governing,missing,warnings",

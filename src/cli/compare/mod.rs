@@ -9,10 +9,10 @@ mod text;
 use super::UiFlags;
 use super::case::Inputs;
 use super::dem::{DemFlags, Job};
-use super::output::{Outcome, Output, TableFormat};
-use crate::study::checks::Answer;
+use super::output::{CommandEnd, Output, TableFormat};
+use crate::study::checks::CheckAnswer;
 use crate::study::compare::{Column, Comparison, compare};
-use crate::study::verdict::Wanted;
+use crate::study::result::Wanted;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 ///
 /// Governing is the highest utilisation, or the lowest force where no layout has a design force.
 #[derive(Debug, Args)]
-pub struct CompareArgs {
+pub(crate) struct CompareArgs {
     /// Project file.
     #[arg(value_name = "PROJECT.ron")]
     project: PathBuf,
@@ -52,18 +52,18 @@ fn column() -> impl TypedValueParser<Value = Column> {
 struct Compared {
     comparison: Comparison,
     /// What is asked of the checks, and one answer for each row, where they are asked for.
-    checked: Option<(Wanted, Vec<Answer>)>,
+    checked: Option<(Wanted, Vec<CheckAnswer>)>,
 }
 
 impl Compared {
     /// The check of a row.
-    fn answer(&self, row: usize) -> Option<&Answer> {
+    fn answer(&self, row: usize) -> Option<&CheckAnswer> {
         self.checked.as_ref()?.1.get(row)
     }
 }
 
 /// Compares and writes the result in the form asked for.
-pub fn run(args: &CompareArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.inputs.of_file(&args.project, None, ui)?;
     let cases = loaded.cases.iter().map(|c| (c.entry.name.clone(), c.study()));
     let comparison = compare(cases);

@@ -5,15 +5,15 @@ use super::{Compared, both};
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::warning::Weight;
-use crate::study::compare::{Comparison, Row};
+use crate::study::compare::{CompareRow, Comparison};
 use crate::units::{LengthUnit, force_text, significant, to_kn};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// Columns of a layout's name.
-pub const NAME: usize = 14;
+pub(crate) const NAME: usize = 14;
 
 /// The table with its notes.
-pub fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
+pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
     let c = &compared.comparison;
     if c.rows.is_empty() {
         return NO_LAYOUTS.to_string();
@@ -60,7 +60,7 @@ fn meshes(page: &mut Page, c: &Comparison) {
     }
 }
 
-fn line(row: &Row, governs: bool, unit: LengthUnit) -> String {
+fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
     let l = &row.case.layout;
     let size = |v: f64| match unit {
         LengthUnit::Metre => format!("{v:.2}"),
@@ -96,7 +96,7 @@ fn line(row: &Row, governs: bool, unit: LengthUnit) -> String {
 }
 
 /// A name in exactly so many columns, cut with `~` where it is longer.
-pub fn cut(name: &str, columns: usize) -> String {
+pub(crate) fn cut(name: &str, columns: usize) -> String {
     let mut text = String::new();
     if name.width() < columns {
         text.push_str(name);
@@ -134,7 +134,7 @@ fn governing(page: &mut Page, c: &Comparison) {
     page.line("> governing", text);
 }
 
-fn remarks(page: &mut Page, row: &Row) {
+fn remarks(page: &mut Page, row: &CompareRow) {
     let name = &row.name;
     let at = row.answer.and_then(|a| a.at_force);
     if let Some(at) = at {

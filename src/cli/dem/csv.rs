@@ -3,21 +3,21 @@
 use crate::cli::output::cell;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
-use crate::study::checks::Answer;
-use crate::study::checks::change::Change;
+use crate::study::checks::CheckAnswer;
+use crate::study::checks::change::CheckChange;
 use crate::study::checks::figures::Figures;
 use crate::units::to_kn;
 
 /// Names of the columns of [`cells`], each with a comma in front.
-pub const COLUMNS: &str = ",F_dem_kN,delta_dem_m,utilisation_dem,F_dem_low_kN,F_dem_high_kN,delta_dem_low_m,delta_dem_high_m,F_dem_error_kN,delta_dem_error_m,difference_F_pct,difference_delta_pct,runs_dem,slipped_dem,dem_missing";
+pub(crate) const COLUMNS: &str = ",F_dem_kN,delta_dem_m,utilisation_dem,F_dem_low_kN,F_dem_high_kN,delta_dem_low_m,delta_dem_high_m,F_dem_error_kN,delta_dem_error_m,difference_F_pct,difference_delta_pct,runs_dem,slipped_dem,dem_missing";
 
 /// Names of the columns of [`change`], likewise.
-pub const CHANGES: &str = ",change_F_dem_kN,change_delta_dem_m,change_utilisation_dem,change_F_dem_error_kN,change_delta_dem_error_m,change_utilisation_dem_error";
+pub(crate) const CHANGES: &str = ",change_F_dem_kN,change_delta_dem_m,change_utilisation_dem,change_F_dem_error_kN,change_delta_dem_error_m,change_utilisation_dem_error";
 
 /// An answer beside a forecast, each field with a comma in front.
-pub fn cells(answer: &Answer, forecast: Option<Values>, question: &Question) -> String {
-    let verdict = answer.as_ref().ok();
-    let f = verdict.map(|v| Figures::of(v, forecast, question));
+pub(crate) fn cells(answer: &CheckAnswer, forecast: Option<Values>, question: &Question) -> String {
+    let result = answer.as_ref().ok();
+    let f = result.map(|v| Figures::of(v, forecast, question));
     let mean = f.and_then(|f| f.mean);
     let error = f.and_then(|f| f.error);
     let [low, high] = split(f.and_then(|f| f.force_band));
@@ -36,15 +36,15 @@ pub fn cells(answer: &Answer, forecast: Option<Values>, question: &Question) -> 
         cell(error.map(|v| v.deflection)),
         cell(difference.map(|d| 100.0 * d.force)),
         cell(difference.map(|d| 100.0 * d.deflection)),
-        count(verdict.map(|v| v.runs)),
-        count(verdict.map(|v| v.slipped)),
+        count(result.map(|v| v.runs)),
+        count(result.map(|v| v.slipped)),
         answer.as_ref().err().map_or("", |why| why.code()).to_string(),
     ];
     joined(&fields)
 }
 
 /// A change, likewise.
-pub fn change(change: Option<&Change>) -> String {
+pub(crate) fn change(change: Option<&CheckChange>) -> String {
     let used = change.and_then(|c| c.utilisation);
     let fields = [
         cell(change.map(|c| to_kn(c.force.value))),

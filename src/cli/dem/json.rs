@@ -5,16 +5,16 @@ use crate::cli::shapes::ChangeValues;
 use crate::dem::Fidelity;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
-use crate::study::checks::Answer;
-use crate::study::checks::change::{Change, Known};
+use crate::study::checks::CheckAnswer;
+use crate::study::checks::change::{CheckChange, KnownValue};
 use crate::study::checks::figures::Figures;
-use crate::study::verdict::{Verdict, Wanted};
+use crate::study::result::{CheckResult, Wanted};
 use crate::units::{to_kn, without_noise};
 use serde::Serialize;
 
 /// What all checks of a study have in common.
 #[derive(Debug, Serialize)]
-pub struct PlanJson {
+pub(crate) struct PlanJson {
     fidelity: Fidelity,
     runs: Option<usize>,
     seed: u64,
@@ -23,7 +23,7 @@ pub struct PlanJson {
 
 impl PlanJson {
     /// Of what is asked.
-    pub fn of(wanted: &Wanted) -> PlanJson {
+    pub(crate) fn of(wanted: &Wanted) -> PlanJson {
         PlanJson {
             fidelity: wanted.fidelity,
             runs: wanted.runs,
@@ -35,7 +35,7 @@ impl PlanJson {
 
 /// A case's check in an object: it, or why it is missing. To be flattened.
 #[derive(Debug, Serialize)]
-pub struct CheckedJson<'a> {
+pub(crate) struct CheckedJson<'a> {
     dem: Option<DemJson<'a>>,
     dem_missing: Option<&'static str>,
     dem_reason: Option<String>,
@@ -115,8 +115,8 @@ struct ChangeErrorJson {
 
 impl<'a> CheckedJson<'a> {
     /// Of an answer beside a forecast.
-    pub fn of(
-        answer: &'a Answer,
+    pub(crate) fn of(
+        answer: &'a CheckAnswer,
         forecast: Option<Values>,
         question: &Question,
     ) -> CheckedJson<'a> {
@@ -128,7 +128,7 @@ impl<'a> CheckedJson<'a> {
     }
 
     /// The same with the change against a study's base, which may be missing.
-    pub fn changed(mut self, change: Option<&Change>) -> CheckedJson<'a> {
+    pub(crate) fn changed(mut self, change: Option<&CheckChange>) -> CheckedJson<'a> {
         if let Some(dem) = &mut self.dem {
             dem.change = Some(change.map(ChangeJson::of));
         }
@@ -137,8 +137,8 @@ impl<'a> CheckedJson<'a> {
 }
 
 impl<'a> DemJson<'a> {
-    fn of(verdict: &'a Verdict, forecast: Option<Values>, question: &Question) -> DemJson<'a> {
-        let f = Figures::of(verdict, forecast, question);
+    fn of(result: &'a CheckResult, forecast: Option<Values>, question: &Question) -> DemJson<'a> {
+        let f = Figures::of(result, forecast, question);
         let both = |band: Option<[f64; 2]>, unit: fn(f64) -> f64| match band {
             Some(band) => band.map(|v| Some(without_noise(unit(v)))),
             None => [None; 2],
@@ -155,23 +155,23 @@ impl<'a> DemJson<'a> {
                 F_kN: f.error.map(|v| to_kn(v.force)),
                 delta_m: f.error.map(|v| v.deflection),
             },
-            runs: verdict.runs,
-            broken: verdict.breaks.len(),
-            slipped: verdict.slipped,
-            error_estimate: verdict.quality.error_estimate,
+            runs: result.runs,
+            broken: result.breaks.len(),
+            slipped: result.slipped,
+            error_estimate: result.quality.error_estimate,
             difference_pct: f
                 .difference
                 .map(|d| DifferenceJson { F: 100.0 * d.force, delta: 100.0 * d.deflection }),
             change: None,
-            fingerprint: verdict.inputs.to_string(),
-            warnings: &verdict.warnings,
+            fingerprint: result.inputs.to_string(),
+            warnings: &result.warnings,
         }
     }
 }
 
 impl ChangeJson {
-    fn of(c: &Change) -> ChangeJson {
-        let error = |k: &Known| k.error;
+    fn of(c: &CheckChange) -> ChangeJson {
+        let error = |k: &KnownValue| k.error;
         ChangeJson {
             values: ChangeValues {
                 F_kN: to_kn(c.force.value),

@@ -3,17 +3,17 @@
 //! What a check says is read by [`crate::study::checks::figures`]; [`json`], [`csv`], [`text`] are the
 //! forms of it.
 
-pub mod csv;
-pub mod json;
-pub mod text;
+pub(crate) mod csv;
+pub(crate) mod json;
+pub(crate) mod text;
 
 use super::check::{fidelity, runs, threads};
 use super::watch::Watch;
 use crate::dem::Fidelity;
 use crate::dem::Flow;
 use crate::study::case::Case;
-use crate::study::checks::{Answer, NoCheck, RUNS, What, checks};
-use crate::study::verdict::Wanted;
+use crate::study::checks::{CaseEvent, CheckAnswer, NoCheck, RUNS, checks};
+use crate::study::result::Wanted;
 use clap::Args;
 use std::num::NonZeroUsize;
 
@@ -21,7 +21,7 @@ use std::num::NonZeroUsize;
 /// many runs, so that all cases have the same ones (see [`RUNS`]).
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Check by discrete elements, beside the forecast")]
-pub struct DemFlags {
+pub(crate) struct DemFlags {
     /// Check each case too: runs with the same alignments and slack in all of them.
     #[arg(long)]
     dem: bool,
@@ -41,20 +41,20 @@ pub struct DemFlags {
 
 /// A case to check, by the name under which its progress is told.
 #[derive(Debug)]
-pub struct Job {
+pub(crate) struct Job {
     /// Its name.
-    pub name: String,
+    pub(crate) name: String,
     /// The case.
-    pub case: Case,
+    pub(crate) case: Case,
 }
 
 /// What the jobs gave.
 #[derive(Debug, Default)]
-pub struct Done {
+pub(crate) struct Done {
     /// One answer a job, in their order.
-    pub answers: Vec<Answer>,
+    pub(crate) answers: Vec<CheckAnswer>,
     /// Whether the user ended it early.
-    pub interrupted: bool,
+    pub(crate) interrupted: bool,
 }
 
 /// How far a run goes on after its first break where nobody says otherwise, m; only for the guess of
@@ -63,7 +63,7 @@ const AFTER_BREAK: f64 = 0.05;
 
 impl DemFlags {
     /// What is asked of each check; nothing where none is asked for.
-    pub fn wanted(&self) -> Option<Wanted> {
+    pub(crate) fn wanted(&self) -> Option<Wanted> {
         self.dem.then_some(Wanted {
             fidelity: self.fidelity,
             runs: Some(self.runs),
@@ -72,13 +72,13 @@ impl DemFlags {
     }
 
     /// Checks the jobs, with progress on standard error and Ctrl+C.
-    pub fn run(&self, wanted: &Wanted, jobs: &[Job]) -> Done {
+    pub(crate) fn run(&self, wanted: &Wanted, jobs: &[Job]) -> Done {
         let watch = Watch::start();
         let cases: Vec<Case> = jobs.iter().map(|job| job.case.clone()).collect();
         // Until the first run of a case has ended, its end is expected where the forecast has it.
         let ends: Vec<f64> = cases.iter().map(|c| c.expected_break() + AFTER_BREAK).collect();
         let answers = checks(&cases, wanted, threads(self.threads), &|news| match news.what {
-            What::Progress(now) => {
+            CaseEvent::Progress(now) => {
                 let (part, parts) = (news.index, news.total);
                 let label = match jobs.get(part) {
                     Some(job) if parts > 1 => format!("{} ({} of {parts})", job.name, part + 1),
@@ -87,14 +87,14 @@ impl DemFlags {
                 watch.part(&label, part, parts, ends.get(part).copied().unwrap_or(1.0));
                 watch.tell(now)
             }
-            What::Done(_) if watch.cancelled() => Flow::Cancel,
-            What::Done(_) => Flow::Continue,
+            CaseEvent::Done(_) if watch.cancelled() => Flow::Cancel,
+            CaseEvent::Done(_) => Flow::Continue,
         });
         let made = answers.iter().flatten().count();
         watch.finish(&format!("{made} of {} checks", answers.len()));
         // An interrupt that came when all was done took nothing away.
-        let short = |a: &Answer| match a {
-            Ok(verdict) => verdict.partial(),
+        let short = |a: &CheckAnswer| match a {
+            Ok(result) => result.partial(),
             Err(why) => *why == NoCheck::NotMade,
         };
         Done { interrupted: answers.iter().any(short), answers }

@@ -1,11 +1,11 @@
 //! What a study's text says about its checks.
 
 use crate::cli::page::Page;
-use crate::study::checks::{Answer, NoCheck};
-use crate::study::verdict::{Verdict, Wanted};
+use crate::study::checks::{CheckAnswer, NoCheck};
+use crate::study::result::{CheckResult, Wanted};
 
 /// What all checks of a study have in common.
-pub fn plan(page: &mut Page, wanted: &Wanted) {
+pub(crate) fn plan(page: &mut Page, wanted: &Wanted) {
     let runs = match wanted.runs {
         Some(1) => "1 run each".to_string(),
         Some(n) => format!("{n} runs each"),
@@ -21,13 +21,16 @@ pub fn plan(page: &mut Page, wanted: &Wanted) {
     );
 }
 
-/// A word in front, what is said, and of which verdicts.
-type Remark<'a> = (&'a str, &'a str, &'a dyn Fn(&Verdict) -> bool);
+/// A word in front, what is said, and of which results.
+type Remark<'a> = (&'a str, &'a str, &'a dyn Fn(&CheckResult) -> bool);
 
 /// What to know of the answers, each named.
-pub fn notes<'a>(page: &mut Page, answers: impl Iterator<Item = (String, &'a Answer)> + Clone) {
+pub(crate) fn notes<'a>(
+    page: &mut Page,
+    answers: impl Iterator<Item = (String, &'a CheckAnswer)> + Clone,
+) {
     let missing = |why: &NoCheck| {
-        let of = |a: &(String, &Answer)| a.1.as_ref().is_err_and(|e| e.code() == why.code());
+        let of = |a: &(String, &CheckAnswer)| a.1.as_ref().is_err_and(|e| e.code() == why.code());
         answers.clone().filter(of).map(|a| a.0).collect::<Vec<String>>()
     };
     if !missing(&NoCheck::Laboratory).is_empty() {
@@ -44,7 +47,7 @@ pub fn notes<'a>(page: &mut Page, answers: impl Iterator<Item = (String, &'a Ans
     if let Some(first) = first {
         page.line("no DEM", format!("{}: {}", listed(&names), first.reason()));
     }
-    let has = |v: &Verdict, code: &str| v.warnings.iter().any(|w| w == code);
+    let has = |v: &CheckResult, code: &str| v.warnings.iter().any(|w| w == code);
     let warned: [Remark; 6] = [
         ("cancelled", "ended early, the mean is of the runs that were whole", &|v| {
             has(v, "cancelled")

@@ -5,14 +5,14 @@ use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Head, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::design::Question;
-use crate::study::case::{Outcome, Point};
+use crate::study::case::{CasePoint, CaseValue};
 use crate::study::solve::{Crossing, Place, Solution};
 use crate::units::to_kn;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// One object, or a list of them with one line each.
-pub fn json(solved: &[Solved], several: bool) -> Result<String, Fault> {
+pub(crate) fn json(solved: &[Solved], several: bool) -> Result<String, Fault> {
     json_list(solved.iter().map(Report::of), several)
 }
 
@@ -104,7 +104,7 @@ struct ValuesJson {
 }
 
 impl ValuesJson {
-    fn of(outcome: Result<&Point, &'static str>) -> ValuesJson {
+    fn of(outcome: Result<&CasePoint, &'static str>) -> ValuesJson {
         let point = outcome.ok();
         ValuesJson {
             F_kN: point.map(|p| to_kn(p.values().force)),
@@ -116,7 +116,7 @@ impl ValuesJson {
         }
     }
 
-    fn of_outcome(outcome: &Outcome) -> ValuesJson {
+    fn of_outcome(outcome: &CaseValue) -> ValuesJson {
         ValuesJson::of(outcome.as_ref().map_err(|why| why.code()))
     }
 }
@@ -204,7 +204,7 @@ impl<'a> Report<'a> {
 }
 
 /// One line a place: the ends of the range and every crossing, rising.
-pub fn csv(solved: &[Solved], several: bool) -> String {
+pub(crate) fn csv(solved: &[Solved], several: bool) -> String {
     let mut out = String::from(if several { "layout," } else { "" });
     out.push_str(
         "solve,requirement,place,value_m,rounded_m,met,F_kN,delta_m,utilisation,design_delta_m,missing,warnings\n",

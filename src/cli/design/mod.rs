@@ -8,7 +8,7 @@ mod text;
 
 use super::UiFlags;
 use super::case::Source;
-use super::output::{Fault, Outcome, TableFormat, result};
+use super::output::{CommandEnd, Fault, TableFormat, result};
 use crate::study::case::{self, Case, Input};
 use crate::study::solve::{Requirement, Solution, solve};
 use clap::Args;
@@ -20,7 +20,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 /// both a force and a deflection each is solved for, and both at once; the deflection is then that at
 /// the factored design force, and without a force it is delta_a. Searched: the published range.
 #[derive(Debug, Args)]
-pub struct DesignArgs {
+pub(crate) struct DesignArgs {
     #[command(flatten)]
     source: Source,
     /// The input to solve for [default: each of d, L and D].
@@ -46,13 +46,13 @@ fn input() -> impl TypedValueParser<Value = Input> {
 struct Solved {
     name: Option<String>,
     case: Case,
-    outcome: case::Outcome,
+    outcome: case::CaseValue,
     /// By input, then by requirement; empty where nothing is asked of the layout.
     solutions: Vec<Solution>,
 }
 
 /// Solves for each layout and writes the result in the form asked for.
-pub fn run(args: &DesignArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
     let inputs = args.solve.map_or(SOLVED.to_vec(), |one| vec![one]);
     let solved: Vec<Solved> = loaded

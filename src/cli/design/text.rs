@@ -3,12 +3,12 @@
 use super::Solved;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::warning::{Warning, Weight};
-use crate::study::case::{Outcome, Point};
-use crate::study::solve::{Crossing, Kind, Place, Requirement, Solution};
+use crate::study::case::{CasePoint, CaseValue};
+use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
 use crate::units::{LengthUnit, force_text};
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(solved: &[Solved], unit: LengthUnit) -> String {
+pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
     if solved.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -108,19 +108,19 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
     let (word, at) = (s.input.word(), length(page, c.value));
     let side = if c.met_above { "or more" } else { "or less" };
     let mut text = match c.kind {
-        Kind::Exact => {
+        RequirementKind::Exact => {
             let take = match c.rounded {
                 Some(r) => format!(" (take {} {side})", page.length(r)),
                 None => String::new(),
             };
             format!("{word} {at} just meets it{take}: {}", values(page, &c.point))
         }
-        Kind::Jump => format!(
+        RequirementKind::Jump => format!(
             "at {word} {at} the forecast jumps (branch of A.1-A.2): met with {}, not beyond with {}",
             values(page, &c.point),
             outcome(page, &c.beyond)
         ),
-        Kind::Edge => format!(
+        RequirementKind::Edge => format!(
             "{word} {at} is the end of the method, beyond it {}: {}",
             outcome(page, &c.beyond),
             values(page, &c.point)
@@ -133,7 +133,7 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
     text
 }
 
-fn values(page: &Page, p: &Point) -> String {
+fn values(page: &Page, p: &CasePoint) -> String {
     let v = p.values();
     let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
     if let Some(at) = &p.answer.at_force {
@@ -145,7 +145,7 @@ fn values(page: &Page, p: &Point) -> String {
     text
 }
 
-fn outcome(page: &Page, o: &Outcome) -> String {
+fn outcome(page: &Page, o: &CaseValue) -> String {
     match o {
         Ok(p) => values(page, p),
         Err(why) if why.code() == "punch_on_plate" => "the punch is on a plate".to_string(),

@@ -8,7 +8,7 @@ use crate::forecast::CURVE_POINTS;
 use crate::forecast::warning::Weight;
 
 /// The table, with a note for every layout that has no curve.
-pub fn report(answered: &[Answered], several: bool) -> Output {
+pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
     let with_curve = answered.iter().filter_map(|a| {
         let name = a.case.name.as_deref().unwrap_or_default();
         Some((name, a.forecast.field?.curve(CURVE_POINTS)))

@@ -9,7 +9,7 @@ use crate::units::{to_kj, to_kn};
 use serde::Serialize;
 
 /// One object, or a list of them with one line each.
-pub fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {
+pub(crate) fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {
     json_list(answered.iter().map(Report::of), several)
 }
 

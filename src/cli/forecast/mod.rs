@@ -8,7 +8,7 @@ mod text;
 
 use super::UiFlags;
 use super::case::{Case, Source};
-use super::output::{Fault, Outcome, TableFormat, result};
+use super::output::{CommandEnd, Fault, TableFormat, result};
 use super::page::BASIS;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question, answer};
@@ -18,7 +18,7 @@ use clap::Args;
 
 /// Forecast a layout from flags, or the layouts of a project, without a screen.
 #[derive(Debug, Args)]
-pub struct ForecastArgs {
+pub(crate) struct ForecastArgs {
     #[command(flatten)]
     source: Source,
     /// How the result is written: JSON in SI with kN; CSV holds the curves.
@@ -43,7 +43,7 @@ fn asks(question: &Question) -> bool {
 }
 
 /// Forecasts and writes the result in the form asked for.
-pub fn run(args: &ForecastArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
     let answered = loaded.cases.into_iter().map(answered).collect::<Result<Vec<_>, _>>()?;
     match args.format {

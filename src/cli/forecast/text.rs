@@ -12,7 +12,7 @@ use crate::units::{to_kj, to_kn};
 /// Most lines a layout.
 const HEIGHT: usize = 24;
 /// The reports of all layouts, an empty line between them.
-pub fn report(answered: &[Answered], unit: LengthUnit) -> String {
+pub(crate) fn report(answered: &[Answered], unit: LengthUnit) -> String {
     if answered.is_empty() {
         return "The project has no layouts.\n".to_string();
     }

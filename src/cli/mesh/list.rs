@@ -1,13 +1,13 @@
 //! `meshcast mesh list`.
 
 use super::show::MeshJson;
-use crate::cli::output::{Format, Outcome, json, result};
+use crate::cli::output::{CommandEnd, Format, json, result};
 use crate::mesh::catalogue;
 use crate::units::{LengthUnit, force_text, length_text};
 use std::fmt::Write;
 
 /// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
-pub fn run(format: Format) -> Outcome {
+pub(crate) fn run(format: Format) -> CommandEnd {
     let meshes = catalogue::all();
     if format == Format::Json {
         let all: Vec<MeshJson> = meshes.iter().map(|m| MeshJson::of(m)).collect();

@@ -1,14 +1,14 @@
 //! `meshcast mesh`: the mesh types of the catalogue.
 
-pub mod list;
-pub mod show;
+pub(crate) mod list;
+pub(crate) mod show;
 
-use super::output::{Format, Outcome};
+use super::output::{CommandEnd, Format};
 use clap::{Args, Subcommand};
 
 /// Show the mesh types of the catalogue.
 #[derive(Debug, Args)]
-pub struct MeshArgs {
+pub(crate) struct MeshArgs {
     #[command(subcommand)]
     command: MeshCommand,
 }
@@ -33,7 +33,7 @@ enum MeshCommand {
 }
 
 /// Shows the list or one mesh.
-pub fn run(args: &MeshArgs) -> Outcome {
+pub(crate) fn run(args: &MeshArgs) -> CommandEnd {
     match &args.command {
         MeshCommand::List { format } => list::run(*format),
         MeshCommand::Show { id, format } => show::run(id, *format),

@@ -1,7 +1,7 @@
 //! `meshcast mesh show ID`.
 
 use crate::cli::case::unknown_mesh;
-use crate::cli::output::{Fault, Format, Outcome, json, number, result, wrapped};
+use crate::cli::output::{CommandEnd, Fault, Format, json, number, result, wrapped};
 use crate::forecast::ratios;
 use crate::mesh::wire::{CurvePoint, Slack, WireData};
 use crate::mesh::{MeshType, catalogue};
@@ -9,7 +9,7 @@ use crate::units::{LengthUnit, length_entry, shortest, to_kn};
 use serde::Serialize;
 
 /// Everything of one mesh.
-pub fn run(id: &str, format: Format) -> Outcome {
+pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
     let Some(mesh) = catalogue::find(id) else {
         let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
         return Err(Fault::input(unknown_mesh("ID", id, &known)));

@@ -4,11 +4,11 @@ use super::Studied;
 use super::text::drawing;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{Page, percent};
-use crate::study::case::Outcome;
-use crate::study::checks::Answer;
+use crate::study::case::CaseValue;
+use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedSensitivity, CheckedStep};
-use crate::study::sensitivity::scale::Scale;
+use crate::study::sensitivity::scale::EffectScale;
 use crate::study::sensitivity::{Effect, Step};
 use crate::units::{force_text, significant, to_kn};
 
@@ -16,13 +16,13 @@ use crate::units::{force_text, significant, to_kn};
 const HALF: usize = 7;
 
 /// The check of the case itself.
-pub fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
-    let verdict = match &checked.base {
-        Ok(verdict) => verdict,
+pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
+    let result = match &checked.base {
+        Ok(result) => result,
         Err(why) => return page.line("CHECK", format!("none: {}", why.reason())),
     };
     let forecast = s.sensitivity.base.as_ref().ok().map(|p| p.values());
-    let f = Figures::of(verdict, forecast, &s.case.question);
+    let f = Figures::of(result, forecast, &s.case.question);
     let Some(mean) = f.mean else { return page.line("CHECK", "no run broke a wire") };
     let error = f
         .error
@@ -40,7 +40,7 @@ pub fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
 }
 
 /// One effect: the inputs by its size in the forecast.
-pub fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effect: Effect) {
+pub(crate) fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effect: Effect) {
     let unit = page.unit;
     let bars = s.sensitivity.by(effect);
     let by_check = checked.bars.iter().map(|bar| bar.largest(effect)).fold(0.0, f64::max);
@@ -50,7 +50,7 @@ pub fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effec
         Effect::Deflection => format!("change of delta, {}", unit.symbol()),
         Effect::Utilisation => "change of use, %".to_string(),
     };
-    let scale = Scale::new(effect, unit, most);
+    let scale = EffectScale::new(effect, unit, most);
     let bars_to = scale.size(most);
     page.lines.push(String::new());
     page.lines.push(format!("{title:<24}bars to {bars_to} each way; ~ within two standard errors"));
@@ -86,7 +86,7 @@ pub fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity, effec
     }
 }
 
-fn missing(outcome: &Outcome) -> String {
+fn missing(outcome: &CaseValue) -> String {
     outcome.as_ref().err().map_or("- ", |why| why.short()).to_string()
 }
 
@@ -95,7 +95,7 @@ fn value(step: &CheckedStep, effect: Effect) -> Option<f64> {
 }
 
 /// A change by the check in words.
-fn found(step: &CheckedStep, scale: &Scale) -> String {
+fn found(step: &CheckedStep, scale: &EffectScale) -> String {
     match step.change.and_then(|c| c.of(scale.effect)) {
         Some(known) => scale.text(known.value) + if known.doubtful() { "~" } else { " " },
         None => "- ".to_string(),
@@ -108,11 +108,12 @@ fn largest_error(checked: &CheckedSensitivity, effect: Effect) -> Option<f64> {
 }
 
 /// What to know of the checks.
-pub fn notes(page: &mut Page, checked: &CheckedSensitivity) {
+pub(crate) fn notes(page: &mut Page, checked: &CheckedSensitivity) {
     let end = |bar: &CheckedBar, step: &CheckedStep| {
         format!("{} {}", bar.input.symbol(), bar.input.text(step.value))
     };
-    let mut all: Vec<(String, &Answer)> = vec![("the layout itself".to_string(), &checked.base)];
+    let mut all: Vec<(String, &CheckAnswer)> =
+        vec![("the layout itself".to_string(), &checked.base)];
     for bar in &checked.bars {
         for step in [&bar.lowered, &bar.raised] {
             all.push((end(bar, step), &step.answer));

@@ -7,16 +7,20 @@ use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{ChangeValues, Head, InputsJson, WarningJson};
 use crate::study::case::Case;
-use crate::study::case::{Input, Outcome};
+use crate::study::case::{CaseValue, Input};
+use crate::study::result::Wanted;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedStep};
 use crate::study::sensitivity::{Bar, Change, Effect, Step};
-use crate::study::verdict::Wanted;
 use crate::units::to_kn;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// One object, or a list of them with one line each.
-pub fn json(studied: &[Studied], wanted: Option<&Wanted>, several: bool) -> Result<String, Fault> {
+pub(crate) fn json(
+    studied: &[Studied],
+    wanted: Option<&Wanted>,
+    several: bool,
+) -> Result<String, Fault> {
     json_list(studied.iter().map(|s| Report::of(s, wanted)), several)
 }
 
@@ -99,7 +103,7 @@ fn unit(input: Input) -> &'static str {
     if input.is_force() { "kN" } else { "m" }
 }
 
-fn values(outcome: &Outcome) -> Option<Values> {
+fn values(outcome: &CaseValue) -> Option<Values> {
     outcome.as_ref().ok().map(|p| Values {
         F_kN: to_kn(p.values().force),
         delta_m: p.values().deflection,
@@ -108,15 +112,15 @@ fn values(outcome: &Outcome) -> Option<Values> {
 }
 
 /// F_a and delta_a, where there are any.
-fn forecast(outcome: &Outcome) -> Option<crate::forecast::Values> {
+fn forecast(outcome: &CaseValue) -> Option<crate::forecast::Values> {
     outcome.as_ref().ok().map(|p| p.values())
 }
 
-fn codes(outcome: &Outcome) -> Vec<&'static str> {
+fn codes(outcome: &CaseValue) -> Vec<&'static str> {
     outcome.iter().flat_map(|p| p.warnings.iter().map(|w| w.code())).collect()
 }
 
-fn missing(outcome: &Outcome) -> Option<&'static str> {
+fn missing(outcome: &CaseValue) -> Option<&'static str> {
     outcome.as_ref().err().map(|why| why.code())
 }
 
@@ -188,7 +192,7 @@ impl ChangeJson {
 }
 
 /// One line a step: two for each input.
-pub fn csv(studied: &[Studied], dem: bool, several: bool) -> String {
+pub(crate) fn csv(studied: &[Studied], dem: bool, several: bool) -> String {
     let mut out = String::from(if several { "layout," } else { "" });
     out.push_str("input,unit,step,value,F_kN,delta_m,utilisation,change_F_kN,change_delta_m,change_utilisation,other_branch,missing,warnings");
     if dem {

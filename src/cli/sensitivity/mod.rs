@@ -10,7 +10,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{Outcome, Output, TableFormat};
+use super::output::{CommandEnd, Output, TableFormat};
 use crate::study::case::{Case, Input};
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Sensitivity, sensitivity};
@@ -21,7 +21,7 @@ use clap::Args;
 /// Steps: 10 % of d, L, D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone.
 /// With --dem the same steps by discrete elements beside it; F_l* and delta_l* are no inputs of those.
 #[derive(Debug, Args)]
-pub struct SensitivityArgs {
+pub(crate) struct SensitivityArgs {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
@@ -42,7 +42,7 @@ struct Studied {
 }
 
 /// Studies each layout and writes the result in the form asked for.
-pub fn run(args: &SensitivityArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
     let mut studied: Vec<Studied> = loaded
         .cases

@@ -5,16 +5,16 @@ use super::{Studied, both};
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, input_unit, input_value, percent};
 use crate::forecast::warning::Weight;
-use crate::study::case::{Input, Point};
+use crate::study::case::{CasePoint, Input};
+use crate::study::result::Wanted;
 use crate::study::sensitivity::{Bar, Effect, Sensitivity, Step, step};
-use crate::study::verdict::Wanted;
 use crate::units::{LengthUnit, force_text, significant, to_kn};
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 15;
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+pub(crate) fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     if studied.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -58,7 +58,7 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     page.text()
 }
 
-fn base(page: &mut Page, point: &Point) {
+fn base(page: &mut Page, point: &CasePoint) {
     let v = point.values();
     let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
     if let Some(utilisation) = point.utilisation() {

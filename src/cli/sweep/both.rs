@@ -3,8 +3,8 @@
 use super::Swept;
 use super::text::deflection;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
-use crate::study::case::Outcome;
-use crate::study::checks::Answer;
+use crate::study::case::CaseValue;
+use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sweep::{dem, extent};
 use crate::units::{significant, to_kn};
@@ -16,7 +16,7 @@ const CHECK: usize = 22;
 const USE: usize = 7;
 
 /// The line of the forecast, the points of the check beside it, and the plot turned on its side.
-pub fn line_plot(page: &mut Page, s: &Swept, answers: &[Answer]) {
+pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
     let (unit, input, points) = (page.unit, s.sweep.grid.first.input, &s.sweep.points);
     let forces = extent(points, |p| Some(p.values().force));
     let ends = [forces, dem::extent(answers)].into_iter().flatten();
@@ -83,7 +83,7 @@ pub fn line_plot(page: &mut Page, s: &Swept, answers: &[Answer]) {
 fn row(
     width: usize,
     (least, most): (f64, f64),
-    outcome: &Outcome,
+    outcome: &CaseValue,
     figures: Option<Figures>,
 ) -> String {
     let place = |value: f64| {

@@ -7,17 +7,21 @@ use crate::cli::output::{Fault, cell, json_list, number, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Head, InputsJson};
 use crate::forecast::Values;
-use crate::study::case::{Input, Outcome};
-use crate::study::checks::Answer;
-use crate::study::sweep::{Axis, Grid};
-use crate::study::verdict::Wanted;
+use crate::study::case::{CaseValue, Input};
+use crate::study::checks::CheckAnswer;
+use crate::study::result::Wanted;
+use crate::study::sweep::{Grid, SweepAxis};
 use crate::units::{to_kn, without_noise};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::fmt::Write;
 
 /// One object, or a list of them with one line each.
-pub fn json(swept: &[Swept], wanted: Option<&Wanted>, several: bool) -> Result<String, Fault> {
+pub(crate) fn json(
+    swept: &[Swept],
+    wanted: Option<&Wanted>,
+    several: bool,
+) -> Result<String, Fault> {
     json_list(swept.iter().map(|s| Report::of(s, wanted)), several)
 }
 
@@ -56,7 +60,7 @@ struct PointJson<'a> {
 
 struct ForecastJson<'a> {
     varied: [Option<(&'static str, f64)>; 2],
-    outcome: &'a Outcome,
+    outcome: &'a CaseValue,
 }
 
 /// What a point gives, in the units of output.
@@ -86,7 +90,7 @@ impl Serialize for ForecastJson<'_> {
 }
 
 impl ValuesJson {
-    fn of(outcome: &Outcome) -> ValuesJson {
+    fn of(outcome: &CaseValue) -> ValuesJson {
         let point = outcome.as_ref().ok();
         ValuesJson {
             F_kN: point.map(|p| to_kn(p.values().force)),
@@ -105,24 +109,24 @@ fn shown(input: Input, value: f64) -> f64 {
 
 fn varied(grid: &Grid, index: usize) -> [Option<(&'static str, f64)>; 2] {
     let (first, second) = grid.at(index);
-    let of = |axis: &Axis, value| (axis.input.column(), shown(axis.input, value));
+    let of = |axis: &SweepAxis, value| (axis.input.column(), shown(axis.input, value));
     [Some(of(&grid.first, first)), grid.second.as_ref().zip(second).map(|(a, v)| of(a, v))]
 }
 
 /// The check of a point.
-fn answer(s: &Swept, index: usize) -> Option<&Answer> {
+fn answer(s: &Swept, index: usize) -> Option<&CheckAnswer> {
     s.checked.as_ref()?.get(index)
 }
 
 /// F_a and delta_a of a point, where there are any.
-fn forecast(outcome: &Outcome) -> Option<Values> {
+fn forecast(outcome: &CaseValue) -> Option<Values> {
     outcome.as_ref().ok().map(|p| p.values())
 }
 
 impl<'a> Report<'a> {
     fn of(s: &'a Swept, wanted: Option<&Wanted>) -> Report<'a> {
         let grid = &s.sweep.grid;
-        let axis = |a: &Axis| AxisJson {
+        let axis = |a: &SweepAxis| AxisJson {
             input: a.input.word(),
             column: a.input.column(),
             from: shown(a.input, a.from),
@@ -152,7 +156,7 @@ impl<'a> Report<'a> {
 }
 
 /// One line a point.
-pub fn csv(swept: &[Swept], grid: &Grid, dem: bool, several: bool) -> String {
+pub(crate) fn csv(swept: &[Swept], grid: &Grid, dem: bool, several: bool) -> String {
     let mut out = String::from(if several { "layout," } else { "" });
     for axis in std::iter::once(&grid.first).chain(&grid.second) {
         out.push_str(axis.input.column());

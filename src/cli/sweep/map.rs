@@ -5,10 +5,10 @@ use super::Swept;
 use super::text::deflection;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::forecast::design::Question;
-use crate::study::case::{NoValue, Outcome, Point};
+use crate::study::case::{CasePoint, CaseValue, NoValue};
 use crate::study::checks::figures::Figures;
-use crate::study::checks::{Answer, NoCheck};
-use crate::study::sweep::Axis;
+use crate::study::checks::{CheckAnswer, NoCheck};
+use crate::study::sweep::SweepAxis;
 use crate::units::{LengthUnit, significant, to_kn};
 
 /// From little to much; eight signs that can be told apart on paper and without colour.
@@ -29,7 +29,7 @@ enum Shown {
 }
 
 impl Shown {
-    fn read(self, p: &Point) -> Option<f64> {
+    fn read(self, p: &CasePoint) -> Option<f64> {
         match self {
             Shown::Force => Some(p.values().force),
             Shown::Deflection => Some(p.values().deflection),
@@ -85,7 +85,7 @@ struct Layer {
 
 /// Draws a map of F_a, of delta_a, and with a design force of the utilisation; each is followed by
 /// that of the checks, where there are any, in the same shades.
-pub fn draw(page: &mut Page, s: &Swept, second: &Axis) {
+pub(crate) fn draw(page: &mut Page, s: &Swept, second: &SweepAxis) {
     let asked = s.case.question.force.is_some();
     for shown in [Shown::Force, Shown::Deflection, Shown::Utilisation] {
         if shown == Shown::Utilisation && !asked {
@@ -111,7 +111,7 @@ pub fn draw(page: &mut Page, s: &Swept, second: &Axis) {
     }
 }
 
-fn forecast(outcome: &Outcome, shown: Shown) -> Cell {
+fn forecast(outcome: &CaseValue, shown: Shown) -> Cell {
     match outcome {
         Ok(p) => shown.read(p).map_or(Cell::Empty, Cell::Value),
         Err(NoValue::PunchOnPlate) => Cell::Sign('P'),
@@ -119,7 +119,7 @@ fn forecast(outcome: &Outcome, shown: Shown) -> Cell {
     }
 }
 
-fn checked(answer: &Answer, question: &Question, shown: Shown) -> Cell {
+fn checked(answer: &CheckAnswer, question: &Question, shown: Shown) -> Cell {
     match answer {
         Ok(v) => shown.found(&Figures::of(v, None, question)).map_or(Cell::Sign('n'), Cell::Value),
         Err(NoCheck::Impossible(_)) => Cell::Sign('X'),
@@ -145,7 +145,7 @@ fn thinned(count: usize, most: usize) -> Vec<usize> {
     (0..shown).map(|i| (i * (count - 1) + last / 2) / last).collect()
 }
 
-fn one(page: &mut Page, s: &Swept, second: &Axis, layer: &Layer) {
+fn one(page: &mut Page, s: &Swept, second: &SweepAxis, layer: &Layer) {
     let (unit, grid) = (page.unit, &s.sweep.grid);
     page.lines.push(String::new());
     let across = WIDTH - LEFT;

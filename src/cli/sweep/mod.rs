@@ -11,11 +11,11 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{Fault, Outcome, Output, TableFormat};
+use super::output::{CommandEnd, Fault, Output, TableFormat};
 use crate::problem::Problem;
 use crate::study::case::{Case, Input};
-use crate::study::checks::Answer;
-use crate::study::sweep::{Axis, Grid, Sweep, dem, sweep};
+use crate::study::checks::CheckAnswer;
+use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
 use crate::units::{LengthUnit, Quantity, parse};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -25,7 +25,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 /// Inputs: d, L, D, ex, ey (m), Fl (laboratory force F_l*, kN), dl (laboratory deflection delta_l*, m).
 /// With --dem each point by discrete elements too, unless Fl or dl is varied, which those do not know.
 #[derive(Debug, Args)]
-pub struct SweepArgs {
+pub(crate) struct SweepArgs {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
@@ -83,7 +83,7 @@ struct Swept {
     case: Case,
     sweep: Sweep,
     /// The check of each point, where checks are asked for.
-    checked: Option<Vec<Answer>>,
+    checked: Option<Vec<CheckAnswer>>,
 }
 
 impl Ranges {
@@ -103,14 +103,14 @@ impl Ranges {
                 )
             })
         };
-        let first = Axis {
+        let first = SweepAxis {
             input: self.vary,
             from: value("--from", &self.from, self.vary)?,
             to: value("--to", &self.to, self.vary)?,
             steps: self.steps,
         };
         let second = match (self.vary2, &self.from2, &self.to2) {
-            (Some(input), Some(from), Some(to)) => Some(Axis {
+            (Some(input), Some(from), Some(to)) => Some(SweepAxis {
                 input,
                 from: value("--from2", from, input)?,
                 to: value("--to2", to, input)?,
@@ -141,12 +141,12 @@ fn placed(mut problem: Problem) -> Problem {
 }
 
 /// Sweeps each layout and writes the result in the form asked for.
-pub fn run(args: &SweepArgs, ui: &UiFlags) -> Outcome {
+pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
     let grid = args.ranges.grid()?;
     let loaded = args.source.load(ui).or_else(|fault| {
         // What is varied need not make sense at its default beside the other flags: an end of the
         // range stands in for it.
-        let end = |of: fn(&Axis) -> f64| {
+        let end = |of: fn(&SweepAxis) -> f64| {
             let axes = std::iter::once(&grid.first).chain(&grid.second);
             let defaults: Vec<(Input, f64)> = axes.map(|axis| (axis.input, of(axis))).collect();
             args.source.with_defaults(&defaults).load(ui)
@@ -201,7 +201,7 @@ fn put(swept: &mut [Swept], grid: &Grid, done: Done) {
 /// A point by its inputs: `L 2.5 m, D 0.6 m`.
 fn point(grid: &Grid, index: usize) -> String {
     let (first, second) = grid.at(index);
-    let of = |axis: &Axis, value| format!("{} {}", axis.input.word(), axis.input.text(value));
+    let of = |axis: &SweepAxis, value| format!("{} {}", axis.input.word(), axis.input.text(value));
     let second = grid.second.as_ref().zip(second).map(|(axis, value)| of(axis, value));
     let all: Vec<String> = std::iter::once(of(&grid.first, first)).chain(second).collect();
     all.join(", ")

@@ -3,13 +3,13 @@
 use super::{Swept, both, map, point};
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
-use crate::study::case::Outcome;
-use crate::study::sweep::{Axis, extent};
-use crate::study::verdict::Wanted;
+use crate::study::case::CaseValue;
+use crate::study::result::Wanted;
+use crate::study::sweep::{SweepAxis, extent};
 use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};
 
 /// The reports of all layouts, an empty line between them.
-pub fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+pub(crate) fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     if swept.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -53,7 +53,7 @@ fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     page.text()
 }
 
-fn range(axis: &Axis, unit: LengthUnit) -> String {
+fn range(axis: &SweepAxis, unit: LengthUnit) -> String {
     format!(
         "{} from {} to {} {} in {} values",
         axis.input.symbol(),
@@ -65,7 +65,7 @@ fn range(axis: &Axis, unit: LengthUnit) -> String {
 }
 
 /// A deflection in the unit shown, without its sign.
-pub fn deflection(metres: f64, unit: LengthUnit) -> String {
+pub(crate) fn deflection(metres: f64, unit: LengthUnit) -> String {
     match unit {
         LengthUnit::Metre => format!("{metres:.3}"),
         LengthUnit::Millimetre => format!("{:.0}", metres * unit.per_metre()),
@@ -149,7 +149,7 @@ fn row(width: usize, signs: [(Option<f64>, (f64, f64), char); 3]) -> String {
 }
 
 /// What the points warn of, with how many of them do.
-fn codes(page: &mut Page, points: &[Outcome]) {
+fn codes(page: &mut Page, points: &[CaseValue]) {
     let mut counted: Vec<(&'static str, usize)> = Vec::new();
     let mut count = |code: &'static str| match counted.iter_mut().find(|(c, _)| *c == code) {
         Some((_, n)) => *n += 1,

@@ -5,14 +5,16 @@ use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::dem::Fidelity;
 use crate::mesh::catalogue;
-use crate::study::paper::{AIM, ERROR_AIM, Options, Quantity, Row, SHAPE_AIM, compare as paper};
+use crate::study::paper::{
+    AIM, ERROR_AIM, PaperOptions, PaperQuantity, PaperRow, SHAPE_AIM, compare as paper,
+};
 use crate::units::{significant, to_kn};
 use serde::Serialize;
 use std::fmt::Write;
 
 /// The comparison with the wires it was made with.
-pub struct Compared {
-    rows: Vec<Row>,
+pub(crate) struct Compared {
+    rows: Vec<PaperRow>,
     law: String,
     fidelity: Fidelity,
 }
@@ -21,7 +23,10 @@ pub struct Compared {
 ///
 /// # Errors
 /// An unknown law, or wires that cannot be run.
-pub fn compare(law: Option<&str>, options: &Options) -> Result<Option<Compared>, Fault> {
+pub(crate) fn compare(
+    law: Option<&str>,
+    options: &PaperOptions,
+) -> Result<Option<Compared>, Fault> {
     let wire = Wires::read(None, law)?.of(&catalogue::reference())?;
     let watch = Watch::start();
     let rows = paper(&wire, options, &|words, part, parts, end, now| {
@@ -33,24 +38,24 @@ pub fn compare(law: Option<&str>, options: &Options) -> Result<Option<Compared>,
 }
 
 /// A value in the unit it is printed in.
-fn shown(row: &Row, value: f64) -> f64 {
+fn shown(row: &PaperRow, value: f64) -> f64 {
     match row.quantity {
-        Quantity::Force | Quantity::Stiffness => to_kn(value),
-        Quantity::Deflection | Quantity::Ratio | Quantity::Shape => value,
+        PaperQuantity::Force | PaperQuantity::Stiffness => to_kn(value),
+        PaperQuantity::Deflection | PaperQuantity::Ratio | PaperQuantity::Shape => value,
     }
 }
 
-fn unit(row: &Row) -> &'static str {
+fn unit(row: &PaperRow) -> &'static str {
     match row.quantity {
-        Quantity::Force => "kN",
-        Quantity::Deflection => "m",
-        Quantity::Stiffness => "kN/m",
-        Quantity::Ratio | Quantity::Shape => "",
+        PaperQuantity::Force => "kN",
+        PaperQuantity::Deflection => "m",
+        PaperQuantity::Stiffness => "kN/m",
+        PaperQuantity::Ratio | PaperQuantity::Shape => "",
     }
 }
 
 /// What a row says of its aim.
-fn verdict(row: &Row) -> &'static str {
+fn result(row: &PaperRow) -> &'static str {
     match (row.aim.is_some(), row.hit(), row.known()) {
         (false, ..) => "",
         (true, false, _) => "MISSED",
@@ -60,7 +65,7 @@ fn verdict(row: &Row) -> &'static str {
 }
 
 /// The table.
-pub fn text(c: &Compared) -> String {
+pub(crate) fn text(c: &Compared) -> String {
     let mut out = format!(
         "The paper's simulations beside ours (first break; means and 5-95 % bands of\nensembles over alignment and slack, {} fidelity)\n\n",
         c.fidelity.word()
@@ -73,7 +78,7 @@ pub fn text(c: &Compared) -> String {
     for row in &c.rows {
         let digits = |v: f64| significant(shown(row, v), 3);
         let part = |v: f64| format!("{:+.1}%", 100.0 * v);
-        let (paper, difference, error) = if row.quantity == Quantity::Shape {
+        let (paper, difference, error) = if row.quantity == PaperQuantity::Shape {
             ("0".to_string(), format!("{:+.3}", row.ours), format!("{:.3}", row.error))
         } else {
             (
@@ -92,17 +97,17 @@ pub fn text(c: &Compared) -> String {
             error,
             row.runs,
             row.standing.word(),
-            verdict(row)
+            result(row)
         );
         let _ = writeln!(out, "{}", line.trim_end());
     }
     let peaks: Vec<String> = c
         .rows
         .iter()
-        .filter(|r| r.quantity == Quantity::Force)
+        .filter(|r| r.quantity == PaperQuantity::Force)
         .filter_map(|r| Some(format!("{}: {}", r.case, significant(to_kn(r.peak?), 3))))
         .collect();
-    let aimed: Vec<&Row> = c.rows.iter().filter(|r| r.aim.is_some()).collect();
+    let aimed: Vec<&PaperRow> = c.rows.iter().filter(|r| r.aim.is_some()).collect();
     let missed: Vec<String> = aimed
         .iter()
         .filter(|r| !r.hit())
@@ -130,7 +135,7 @@ pub fn text(c: &Compared) -> String {
 }
 
 #[derive(Serialize)]
-pub struct DemJson<'a> {
+pub(crate) struct DemJson<'a> {
     fidelity: Fidelity,
     law: &'a str,
     rows: Vec<RowJson<'a>>,
@@ -159,15 +164,15 @@ struct RowJson<'a> {
 
 impl<'a> DemJson<'a> {
     /// Of a comparison.
-    pub fn of(c: &'a Compared) -> DemJson<'a> {
+    pub(crate) fn of(c: &'a Compared) -> DemJson<'a> {
         let rows = c.rows.iter().map(|row| RowJson {
             case: &row.case,
             quantity: match row.quantity {
-                Quantity::Force => "force",
-                Quantity::Deflection => "deflection",
-                Quantity::Stiffness => "stiffness",
-                Quantity::Ratio => "ratio",
-                Quantity::Shape => "shape",
+                PaperQuantity::Force => "force",
+                PaperQuantity::Deflection => "deflection",
+                PaperQuantity::Stiffness => "stiffness",
+                PaperQuantity::Ratio => "ratio",
+                PaperQuantity::Shape => "shape",
             },
             unit: unit(row),
             paper: shown(row, row.paper),

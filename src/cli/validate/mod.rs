@@ -7,12 +7,12 @@ mod dem;
 
 use super::VERSION;
 use super::check::{fidelity, threads};
-use super::output::{Format, Outcome, Output, json, number, wrapped};
+use super::output::{CommandEnd, Format, Output, json, number, wrapped};
 use crate::dem::Fidelity;
 use crate::forecast::published::{
-    Comparison, TestRow, Validation, published, reference_point_factors, validate,
+    PublishedComparison, TestRow, Validation, published, reference_point_factors, validate,
 };
-use crate::study::paper::Options;
+use crate::study::paper::PaperOptions;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write;
@@ -20,7 +20,7 @@ use std::num::NonZeroUsize;
 
 /// Compare the program with everything that the paper prints; exit code 1 if a digit differs.
 #[derive(Debug, Args)]
-pub struct ValidateArgs {
+pub(crate) struct ValidateArgs {
     /// Compare the paper's simulations with ours too: some minutes.
     #[arg(long)]
     dem: bool,
@@ -42,13 +42,13 @@ pub struct ValidateArgs {
 }
 
 /// Compares and prints the tables.
-pub fn run(args: &ValidateArgs) -> Outcome {
+pub(crate) fn run(args: &ValidateArgs) -> CommandEnd {
     let validation = validate();
     if !args.dem {
         return outcome(&validation, args.format);
     }
     let options =
-        Options { fidelity: args.fidelity, seed: args.seed, threads: threads(args.threads) };
+        PaperOptions { fidelity: args.fidelity, seed: args.seed, threads: threads(args.threads) };
     let Some(compared) = dem::compare(args.law.as_deref(), &options)? else {
         return Ok(Output { interrupted: true, ..Output::default() });
     };
@@ -62,7 +62,7 @@ pub fn run(args: &ValidateArgs) -> Outcome {
     Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
 }
 
-fn outcome(validation: &Validation, format: Format) -> Outcome {
+fn outcome(validation: &Validation, format: Format) -> CommandEnd {
     let result = match format {
         Format::Text => text(validation),
         Format::Json => json(&ValidationJson::of(validation))? + "\n",
@@ -133,7 +133,7 @@ fn table(
     title: &str,
     v: &Validation,
     decimals: usize,
-    column: fn(&TestRow) -> (Comparison, &'static str),
+    column: fn(&TestRow) -> (PublishedComparison, &'static str),
 ) {
     let _ = writeln!(out, "{title}");
     let _ =
@@ -160,12 +160,12 @@ fn table(
 }
 
 /// The difference at the digits that are shown; never the negative zero.
-fn shown_difference(c: &Comparison, decimals: usize) -> f64 {
+fn shown_difference(c: &PublishedComparison, decimals: usize) -> f64 {
     let unit = 10.0_f64.powi(i32::try_from(decimals).unwrap_or(0));
     (c.difference() * unit).round() / unit + 0.0
 }
 
-fn verdict(c: &Comparison, by_construction: bool) -> &'static str {
+fn verdict(c: &PublishedComparison, by_construction: bool) -> &'static str {
     match (c.agrees(), by_construction) {
         (true, false) => "same",
         (true, true) => "by construction",
@@ -237,7 +237,7 @@ struct ReferenceJson {
 }
 
 impl ComparedJson {
-    fn of(c: &Comparison) -> ComparedJson {
+    fn of(c: &PublishedComparison) -> ComparedJson {
         ComparedJson {
             printed: c.printed.text(),
             ours: c.ours,
@@ -275,7 +275,7 @@ impl ValidationJson {
 impl TestJson {
     fn of(row: &TestRow) -> TestJson {
         let t = row.test;
-        let cell = |c: &Comparison, dem| CellJson {
+        let cell = |c: &PublishedComparison, dem| CellJson {
             compared: ComparedJson::of(c),
             dem,
             by_construction: t.by_construction,

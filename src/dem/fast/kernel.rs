@@ -7,12 +7,12 @@
 //! scattered writes.
 
 use super::lanes::{Lanes, Real};
-use super::state::{BLOCK, DomeValues, Kind, PAD, Shape, State};
+use super::state::{BLOCK, BondKind, DomeValues, NetShape, NetState, PAD};
 
 /// Vectors of a kind's constants.
 #[derive(Clone, Copy)]
 struct KindLanes<'a, L: Lanes> {
-    kind: &'a Kind<L::Real>,
+    kind: &'a BondKind<L::Real>,
     knee: L,
     knee_force: L,
     unloading: L,
@@ -23,7 +23,7 @@ struct KindLanes<'a, L: Lanes> {
 
 impl<'a, L: Lanes> KindLanes<'a, L> {
     #[inline(always)]
-    unsafe fn new(kind: &'a Kind<L::Real>) -> Self {
+    unsafe fn new(kind: &'a BondKind<L::Real>) -> Self {
         // SAFETY: the caller's promise about the instruction set.
         unsafe {
             KindLanes {
@@ -44,14 +44,14 @@ impl<'a, L: Lanes> KindLanes<'a, L> {
         // SAFETY: the caller's promise about the instruction set.
         unsafe {
             match &self.kind.shape {
-                Shape::Lines(lines) => {
+                NetShape::Lines(lines) => {
                     let mut f = e.mul(L::splat(lines[0].0)).add(L::splat(lines[0].1));
                     for line in &lines[1..] {
                         f = f.min(e.mul(L::splat(line.0)).add(L::splat(line.1)));
                     }
                     f
                 }
-                Shape::Hinges(first, hinges) => {
+                NetShape::Hinges(first, hinges) => {
                     let zero = L::splat(L::Real::default());
                     let mut f = L::splat(*first);
                     for hinge in hinges {
@@ -124,28 +124,6 @@ unsafe fn pulls<L: Lanes>(
     }
 }
 
-/// Forces, N, of one bond of taut length `taut` (m) and ramp `start` on a path of lengths (m), by the
-/// kernel's own code in portable single precision. For the proof of the law.
-pub fn follow(kind: &Kind<f32>, start: f64, lengths: &[f64]) -> Vec<f64> {
-    use super::lanes::Portable;
-    type L = Portable<f32, 8>;
-    let mut top = [[start as f32; 8]; 3];
-    lengths
-        .iter()
-        .map(|&length| {
-            let mut out = [0.0_f32; 8];
-            // SAFETY: portable lanes need no instruction set; every address holds 8 numbers.
-            unsafe {
-                let kind = KindLanes::<L>::new(kind);
-                let d = [L::splat(length as f32), L::splat(0.0), L::splat(0.0)];
-                let tops = [0, 1, 2].map(|b: usize| top[b].as_mut_ptr());
-                pulls([&kind; 3], [d; 3], tops, None)[0].mul(d[0]).store(out.as_mut_ptr());
-            }
-            f64::from(out[0])
-        })
-        .collect()
-}
-
 /// Vectors of the dome's constants at an instant.
 #[derive(Clone, Copy)]
 struct DomeLanes<L> {
@@ -204,7 +182,7 @@ struct Planes<R> {
 }
 
 impl<R: Real> Planes<R> {
-    fn of(state: &mut State<R>) -> Planes<R> {
+    fn of(state: &mut NetState<R>) -> Planes<R> {
         Planes {
             moved: state.moved.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             velocity: state.velocity.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
@@ -243,7 +221,7 @@ pub struct DomeHeights {
 #[derive(Clone, Copy)]
 struct Step<'a, L: Lanes> {
     planes: Planes<L::Real>,
-    kinds: &'a [Kind<L::Real>; 2],
+    kinds: &'a [BondKind<L::Real>; 2],
     rest: (L::Real, [L::Real; 2]),
     along: &'a [[L::Real; 2]],
     dome: DomeValues<L::Real>,
@@ -259,8 +237,8 @@ struct Step<'a, L: Lanes> {
 /// # Safety
 /// The processor has the instruction set of `L`.
 #[inline(always)]
-pub unsafe fn step<L: Lanes, const UNIFORM: bool>(
-    state: &mut State<L::Real>,
+pub(crate) unsafe fn step<L: Lanes, const UNIFORM: bool>(
+    state: &mut NetState<L::Real>,
     heights: DomeHeights,
 ) {
     let last = state.rows - 1;
@@ -343,7 +321,7 @@ unsafe fn three<L: Lanes>(planes: [*mut L::Real; 3], at: usize) -> [L; 3] {
 #[inline(always)]
 unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
     planes: &Planes<L::Real>,
-    kinds: &[Kind<L::Real>; 2],
+    kinds: &[BondKind<L::Real>; 2],
     rest: (L::Real, [L::Real; 2]),
     row: usize,
     column: usize,

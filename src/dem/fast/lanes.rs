@@ -43,7 +43,7 @@ impl Real for f64 {
 /// All methods need the instruction set of the type, and `load` and `store` need `N` numbers at the
 /// address.
 #[allow(clippy::missing_safety_doc)] // Said once, above.
-pub trait Lanes: Copy {
+pub(crate) trait Lanes: Copy {
     /// The number inside.
     type Real: Real;
     /// A vector of the same instruction set for what is left at the end of a row: 8 lanes or fewer.
@@ -76,16 +76,16 @@ pub trait Lanes: Copy {
 // third of the time of a square root and a division. A test holds the error.
 
 /// Bits from which half of the number's bits are taken.
-pub const GUESS: i32 = 0x5f37_5a86;
+pub(crate) const GUESS: i32 = 0x5f37_5a86;
 /// Constant of the first Newton step.
-pub const FIRST: f32 = 1.500_876;
+pub(crate) const FIRST: f32 = 1.500_876;
 /// Constant of the second Newton step.
-pub const SECOND: f32 = 1.500_000_6;
+pub(crate) const SECOND: f32 = 1.500_000_6;
 
 /// Portable vectors, as arrays: any processor.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
-pub struct Portable<R, const N: usize>([R; N]);
+pub(crate) struct Portable<R, const N: usize>([R; N]);
 
 macro_rules! portable {
     ($real:ty, $n:literal, |$x:ident| $rsqrt:expr) => {
@@ -158,7 +158,7 @@ portable!(f32, 8, |x| {
 portable!(f64, 4, |x| 1.0 / x.sqrt());
 
 #[cfg(target_arch = "x86_64")]
-pub use x86::*;
+pub(crate) use x86::*;
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
@@ -172,7 +172,7 @@ mod x86 {
          rsqrt |$x:ident| $rsqrt:expr) => {
             $(#[$doc])*
             #[derive(Debug, Clone, Copy)]
-            pub struct $name($inner);
+            pub(crate) struct $name($inner);
 
             // SAFETY of every call below: the trait's promise that the instruction set is there and
             // that addresses hold N numbers. `max(a, b)` of these instructions is `a > b ? a : b`.

@@ -13,7 +13,7 @@
 //! Files: [`state`] the planes, [`kernel`] one step, [`lanes`] the vectors, this one the driver.
 
 pub mod kernel;
-pub mod lanes;
+pub(crate) mod lanes;
 pub mod plane;
 pub mod state;
 
@@ -21,10 +21,10 @@ use super::inertia::{self, PairModes, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
 use super::law::{Law, Ramp};
 use super::scene::Scene;
-use super::stepper::{Block, Energies, Stepper};
+use super::stepper::{Energies, StepBlock, Stepper};
 use kernel::DomeHeights;
 use lanes::{Portable, Real};
-use state::{BLOCK, BondValues, MISSING, PAD, State, bond_values, curve};
+use state::{BLOCK, BondValues, MISSING, NetState, PAD, bond_values, curve};
 
 /// Instruction set of the kernel. The answer has the same bits with each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -76,7 +76,7 @@ pub struct Fast<R: Kernel> {
     /// Inertia of the pairs' sums and differences, N/m, so that kinetic energy needs no division.
     modes: Vec<PairModes>,
     unloading: [f64; 2],
-    state: State<R>,
+    state: NetState<R>,
     path: Path,
     deflection: f64,
     until_search: usize,
@@ -123,7 +123,7 @@ impl<R: Kernel> Fast<R> {
         let inertia =
             inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
         let modes = inertia.iter().map(PairModes::of).collect();
-        let state = State::new(scene, &inertia, unloading, 1.0 - options.damping);
+        let state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
         let path =
             if Path::available().contains(&options.path) { options.path } else { Path::best() };
         Fast {
@@ -184,7 +184,7 @@ impl<R: Kernel> Fast<R> {
 }
 
 impl<R: Kernel> Stepper for Fast<R> {
-    fn advance(&mut self, steps: usize, travel: f64) -> Block {
+    fn advance(&mut self, steps: usize, travel: f64) -> StepBlock {
         let mean = self.deflection + travel * (steps as f64 - 1.0) / 2.0;
         for sum in &mut self.state.sums {
             sum.fill(R::default());
@@ -209,7 +209,7 @@ impl<R: Kernel> Stepper for Fast<R> {
         }
         // In one order, whatever the vectors' width.
         let total = |sum: &[R]| sum.iter().map(|x| x.wide()).sum::<f64>() / steps as f64;
-        Block {
+        StepBlock {
             deflection: mean,
             punch: total(&self.state.sums[0][PAD..PAD + self.state.columns]),
             support: total(&self.state.sums[1][PAD..PAD + self.state.columns]),
@@ -384,7 +384,7 @@ impl<R: Kernel> Stepper for Fast<R> {
 pub trait Kernel: Real {
     /// Takes `steps` steps of `state`; `heights` gives the dome's heights at each.
     fn run(
-        state: &mut State<Self>,
+        state: &mut NetState<Self>,
         path: Path,
         steps: usize,
         heights: &dyn Fn(usize) -> DomeHeights,
@@ -397,7 +397,7 @@ pub trait Kernel: Real {
 /// The processor has the instruction set of `L`.
 #[inline(always)]
 unsafe fn steps<L: lanes::Lanes>(
-    state: &mut State<L::Real>,
+    state: &mut NetState<L::Real>,
     steps: usize,
     heights: &dyn Fn(usize) -> DomeHeights,
 ) {
@@ -419,7 +419,7 @@ macro_rules! kernel {
     ($real:ty, $avx512:ident, $avx2:ident, $sse2:ident, $portable:ty) => {
         impl Kernel for $real {
             fn run(
-                state: &mut State<$real>,
+                state: &mut NetState<$real>,
                 path: Path,
                 n: usize,
                 heights: &dyn Fn(usize) -> DomeHeights,
@@ -428,7 +428,7 @@ macro_rules! kernel {
                 {
                     #[target_feature(enable = "avx512f")]
                     unsafe fn avx512(
-                        state: &mut State<$real>,
+                        state: &mut NetState<$real>,
                         n: usize,
                         heights: &dyn Fn(usize) -> DomeHeights,
                     ) {
@@ -437,7 +437,7 @@ macro_rules! kernel {
                     }
                     #[target_feature(enable = "avx2")]
                     unsafe fn avx2(
-                        state: &mut State<$real>,
+                        state: &mut NetState<$real>,
                         n: usize,
                         heights: &dyn Fn(usize) -> DomeHeights,
                     ) {

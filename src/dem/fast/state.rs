@@ -16,13 +16,13 @@ use super::plane::Plane;
 /// Places before the first row and behind the last one.
 pub const PAD: usize = 16;
 /// Columns are dealt with in blocks of this many: the widest vector.
-pub const BLOCK: usize = 16;
+pub(crate) const BLOCK: usize = 16;
 /// Largest strain of a bond that is not there: far beyond any rupture.
-pub const MISSING: f64 = 1.0e3;
+pub(crate) const MISSING: f64 = 1.0e3;
 
 /// How the loading curve behind the ramp is evaluated.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape<R> {
+pub enum NetShape<R> {
     /// Slopes fall from corner to corner: the least of these lines (slope, value at 0).
     Lines([(R, R); LINES]),
     /// Any curve: value at the end of the ramp, then for each corner (strain, change of slope).
@@ -30,15 +30,15 @@ pub enum Shape<R> {
 }
 
 /// Lines of the fast shape: a curve of seven points. Shorter ones repeat their last line.
-pub const LINES: usize = 6;
+pub(crate) const LINES: usize = 6;
 
 /// A kind of bond as the kernel needs it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kind<R> {
+pub struct BondKind<R> {
     /// Strain and force at the end of the ramp.
     pub knee: (R, R),
     /// Curve behind it.
-    pub shape: Shape<R>,
+    pub shape: NetShape<R>,
     /// Slope of unloading, N per unit of strain, or less than the ramp's, which then counts.
     pub unloading: R,
     /// Strain at rupture.
@@ -49,9 +49,9 @@ pub struct Kind<R> {
     pub ramp: R,
 }
 
-impl<R: Real> Kind<R> {
+impl<R: Real> BondKind<R> {
     /// The kind of bonds with this curve and these unloading slope and values.
-    pub fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> Kind<R> {
+    pub(crate) fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> BondKind<R> {
         let n = curve.strain.len();
         let falling =
             n >= 2 && n - 1 <= LINES && (1..n).all(|k| curve.slope[k] <= curve.slope[k - 1]);
@@ -60,7 +60,7 @@ impl<R: Real> Kind<R> {
             (R::new(curve.slope[k]), R::new(curve.force[k] - curve.slope[k] * curve.strain[k]))
         };
         let shape = if falling {
-            Shape::Lines(std::array::from_fn(line))
+            NetShape::Lines(std::array::from_fn(line))
         } else {
             let mut before = 0.0;
             let hinges = (0..n).map(|k| {
@@ -68,9 +68,9 @@ impl<R: Real> Kind<R> {
                 before = curve.slope[k];
                 (R::new(curve.strain[k]), R::new(change))
             });
-            Shape::Hinges(R::new(curve.force[0]), hinges.collect())
+            NetShape::Hinges(R::new(curve.force[0]), hinges.collect())
         };
-        Kind {
+        BondKind {
             knee: (R::new(curve.strain[0]), R::new(curve.force[0])),
             shape,
             unloading: R::new(unloading),
@@ -83,15 +83,20 @@ impl<R: Real> Kind<R> {
 
 /// What a bond of a scene has of its own, in double precision.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BondValues {
+pub(crate) struct BondValues {
     /// Taut length, m.
-    pub taut: f64,
+    pub(crate) taut: f64,
     /// Ramp and unloading.
-    pub ramp: Ramp,
+    pub(crate) ramp: Ramp,
 }
 
 /// Values of a bond under the unloading slopes `unloading` of single wire and twist.
-pub fn bond_values(scene: &Scene, number: usize, role: Role, unloading: [f64; 2]) -> BondValues {
+pub(crate) fn bond_values(
+    scene: &Scene,
+    number: usize,
+    role: Role,
+    unloading: [f64; 2],
+) -> BondValues {
     let curve = curve(scene, role);
     let slack = scene.slack(number);
     let taut = scene.length(role) + slack;
@@ -102,16 +107,16 @@ pub fn bond_values(scene: &Scene, number: usize, role: Role, unloading: [f64; 2]
 }
 
 /// The curve of a bond's kind.
-pub fn curve(scene: &Scene, role: Role) -> &BondCurve {
+pub(crate) fn curve(scene: &Scene, role: Role) -> &BondCurve {
     if role == Role::Twist { &scene.law.twist } else { &scene.law.single }
 }
 
 /// Three planes: x, y and z.
-pub type Three<R> = [Plane<R>; 3];
+pub(crate) type Three<R> = [Plane<R>; 3];
 
 /// The state and all constants of a run.
 #[derive(Debug, Clone)]
-pub struct State<R: Copy> {
+pub struct NetState<R: Copy> {
     /// Columns and rows of pairs.
     pub columns: usize,
     /// Rows of pairs.
@@ -135,7 +140,7 @@ pub struct State<R: Copy> {
     /// Whether all bonds of a kind are alike.
     pub uniform: bool,
     /// Twist, then single wire.
-    pub kinds: [Kind<R>; 2],
+    pub kinds: [BondKind<R>; 2],
     /// Rest vectors: twist (along y), and half the opening and the projection of a wire.
     pub rest: (R, [R; 2]),
     /// Forces of a row's bonds on their first nodes, N, by role; for even rows, odd rows and the last.
@@ -164,20 +169,25 @@ pub struct State<R: Copy> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DomeValues<R> {
     /// Radius of cap and node together.
-    pub cap_reach: R,
+    pub(crate) cap_reach: R,
     /// Radius of rim tube and node together.
-    pub rim_reach: R,
+    pub(crate) rim_reach: R,
     /// Radius of the rim's centre circle.
-    pub ring: R,
+    pub(crate) ring: R,
     /// Radius over height at the seam.
-    pub seam: R,
+    pub(crate) seam: R,
     /// Contact stiffness, N/m.
-    pub stiffness: R,
+    pub(crate) stiffness: R,
 }
 
-impl<R: Real> State<R> {
+impl<R: Real> NetState<R> {
     /// The state of `scene` at rest.
-    pub fn new(scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2], keep: f64) -> State<R> {
+    pub fn new(
+        scene: &Scene,
+        inertia: &[PairInertia],
+        unloading: [f64; 2],
+        keep: f64,
+    ) -> NetState<R> {
         let lattice = &scene.lattice;
         let (columns, rows) = (lattice.columns, lattice.rows);
         let stride = (columns + 2).div_ceil(BLOCK) * BLOCK;
@@ -192,12 +202,12 @@ impl<R: Real> State<R> {
         // Where bonds differ, the kernel takes the larger of this and each bond's own ramp.
         let slope = |k: usize| if uniform { samples[k].ramp.unloading } else { unloading[1 - k] };
         let kinds = [
-            Kind::new(&scene.law.twist, slope(0), &samples[0]),
-            Kind::new(&scene.law.single, slope(1), &samples[1]),
+            BondKind::new(&scene.law.twist, slope(0), &samples[0]),
+            BondKind::new(&scene.law.single, slope(1), &samples[1]),
         ];
         let plane_of_own = || Plane::new(R::new(1.0), if uniform { 0 } else { size });
         let dome = &scene.dome;
-        let mut state = State {
+        let mut state = NetState {
             columns,
             rows,
             periodic: lattice.periodic,

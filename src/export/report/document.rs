@@ -3,7 +3,7 @@
 
 /// A piece of a line.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Span {
+pub(crate) enum TextSpan {
     /// Text as it is, ours or other people's.
     Plain(String),
     /// Text that weighs more.
@@ -16,11 +16,11 @@ pub enum Span {
 
 /// A line of words.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Words(pub Vec<Span>);
+pub(crate) struct Words(pub(crate) Vec<TextSpan>);
 
 impl From<String> for Words {
     fn from(text: String) -> Words {
-        Words(vec![Span::Plain(text)])
+        Words(vec![TextSpan::Plain(text)])
     }
 }
 
@@ -57,39 +57,39 @@ const SYMBOLS: &[(&str, &str, &str)] = &[
 ];
 
 /// Our own words; a symbol stands in braces: `{F_a*}`. Never for text of other people.
-pub fn ours(template: &str) -> Words {
+pub(crate) fn ours(template: &str) -> Words {
     let mut spans = Vec::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once('{') {
         let Some((name, behind)) = after.split_once('}') else { break };
         if !before.is_empty() {
-            spans.push(Span::Plain(before.to_string()));
+            spans.push(TextSpan::Plain(before.to_string()));
         }
         match SYMBOLS.iter().find(|symbol| symbol.0 == name) {
-            Some(&(_, base, index)) => spans.push(Span::Symbol(base, index)),
-            None => spans.push(Span::Plain(name.to_string())),
+            Some(&(_, base, index)) => spans.push(TextSpan::Symbol(base, index)),
+            None => spans.push(TextSpan::Plain(name.to_string())),
         }
         rest = behind;
     }
     if !rest.is_empty() {
-        spans.push(Span::Plain(rest.to_string()));
+        spans.push(TextSpan::Plain(rest.to_string()));
     }
     Words(spans)
 }
 
 /// Words that weigh more.
-pub fn strong(text: impl Into<String>) -> Words {
-    Words(vec![Span::Strong(text.into())])
+pub(crate) fn strong(text: impl Into<String>) -> Words {
+    Words(vec![TextSpan::Strong(text.into())])
 }
 
 /// Something to type.
-pub fn code(text: impl Into<String>) -> Words {
-    Words(vec![Span::Code(text.into())])
+pub(crate) fn code(text: impl Into<String>) -> Words {
+    Words(vec![TextSpan::Code(text.into())])
 }
 
 /// A block of a report.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Block {
+pub(crate) enum Block {
     /// A heading of level 2 or 3.
     Heading(u8, Words),
     /// A paragraph.
@@ -118,47 +118,47 @@ pub enum Block {
 
 /// A picture.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// The SVG.
-    pub svg: String,
+    pub(crate) svg: String,
     /// What it shows.
-    pub caption: String,
+    pub(crate) caption: String,
     /// Whether it takes the whole width.
-    pub wide: bool,
+    pub(crate) wide: bool,
 }
 
 /// A report.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Document {
+pub(crate) struct ReportDocument {
     /// Its title.
-    pub title: String,
+    pub(crate) title: String,
     /// Its blocks in order.
-    pub blocks: Vec<Block>,
+    pub(crate) blocks: Vec<Block>,
 }
 
-impl Document {
+impl ReportDocument {
     /// Adds a chapter's heading.
-    pub fn chapter(&mut self, words: impl Into<Words>) {
+    pub(crate) fn chapter(&mut self, words: impl Into<Words>) {
         self.blocks.push(Block::Heading(2, words.into()));
     }
 
     /// Adds a section's heading.
-    pub fn section(&mut self, words: impl Into<Words>) {
+    pub(crate) fn section(&mut self, words: impl Into<Words>) {
         self.blocks.push(Block::Heading(3, words.into()));
     }
 
     /// Adds a paragraph of our own words, with symbols in braces.
-    pub fn say(&mut self, template: &str) {
+    pub(crate) fn say(&mut self, template: &str) {
         self.blocks.push(Block::Paragraph(ours(template)));
     }
 
     /// Adds a paragraph that may hold other people's words.
-    pub fn quote(&mut self, words: impl Into<Words>) {
+    pub(crate) fn quote(&mut self, words: impl Into<Words>) {
         self.blocks.push(Block::Paragraph(words.into()));
     }
 
     /// Adds a table of two columns, without those rows that have nothing to say.
-    pub fn facts(&mut self, head: [&str; 2], rows: Vec<(Words, Words)>) {
+    pub(crate) fn facts(&mut self, head: [&str; 2], rows: Vec<(Words, Words)>) {
         self.blocks.push(Block::Table {
             head: head.map(Words::from).to_vec(),
             rows: rows.into_iter().map(|(name, value)| vec![name, value]).collect(),
@@ -168,7 +168,7 @@ impl Document {
 }
 
 /// A sentence: its first letter a capital, a full stop at its end.
-pub fn sentence(text: &str) -> String {
+pub(crate) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
     let stop = if text.ends_with(['.', '!', '?']) { "" } else { "." };
@@ -185,13 +185,13 @@ mod tests {
         assert_eq!(
             words.0,
             [
-                Span::Plain("of ".into()),
-                Span::Symbol("F", "a*"),
-                Span::Plain(" and ".into()),
-                Span::Symbol("\u{3b4}", ""),
+                TextSpan::Plain("of ".into()),
+                TextSpan::Symbol("F", "a*"),
+                TextSpan::Plain(" and ".into()),
+                TextSpan::Symbol("\u{3b4}", ""),
             ]
         );
-        assert_eq!(ours("{").0, [Span::Plain("{".into())]);
+        assert_eq!(ours("{").0, [TextSpan::Plain("{".into())]);
         assert_eq!(sentence("near the change"), "Near the change.");
     }
 }

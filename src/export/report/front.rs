@@ -1,7 +1,7 @@
 //! Project, results at a glance, inputs, meshes, and how to repeat it all.
 
 use super::Report;
-use super::document::{Block, Document, Picture, Span, Words, code, ours, strong};
+use super::document::{Block, Picture, ReportDocument, TextSpan, Words, code, ours, strong};
 use crate::VERSION;
 use crate::export::Case;
 use crate::export::svg::{Series, chart};
@@ -14,7 +14,7 @@ use std::fmt::Write;
 const CURVES: usize = 10;
 
 /// What the report is about and what it was made from.
-pub fn project(report: &Report<'_>, document: &mut Document) {
+pub(crate) fn project(report: &Report<'_>, document: &mut ReportDocument) {
     let project = report.project;
     let mut rows = vec![(Words::from("Project"), Words::from(project.name.clone()))];
     if !project.site.is_empty() {
@@ -39,7 +39,7 @@ pub fn project(report: &Report<'_>, document: &mut Document) {
 }
 
 /// The results of all layouts.
-pub fn results(report: &Report<'_>, document: &mut Document) {
+pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
     document.chapter("Results");
     if report.cases.is_empty() {
         document.say("The project has no layouts.");
@@ -111,7 +111,7 @@ fn result_row(case: &Case, unit: LengthUnit) -> Vec<Words> {
 }
 
 /// The inputs of all layouts.
-pub fn inputs(report: &Report<'_>, document: &mut Document) {
+pub(crate) fn inputs(report: &Report<'_>, document: &mut ReportDocument) {
     if report.cases.is_empty() {
         return;
     }
@@ -121,7 +121,7 @@ pub fn inputs(report: &Report<'_>, document: &mut Document) {
     let mut head = vec![Words::from("Layout")];
     for symbol in ["{d}", "{L}", "{D}", "{e_x}", "{e_y}"] {
         let mut words = ours(symbol);
-        words.0.push(Span::Plain(format!(" ({sign})")));
+        words.0.push(TextSpan::Plain(format!(" ({sign})")));
         head.push(words);
     }
     for text in
@@ -149,12 +149,12 @@ pub fn inputs(report: &Report<'_>, document: &mut Document) {
 }
 
 /// A force as it was entered.
-pub fn entered_force(newton: f64) -> String {
+pub(crate) fn entered_force(newton: f64) -> String {
     format!("{} kN", shortest(crate::units::to_kn(newton)))
 }
 
 /// The meshes that the layouts use, each once.
-pub fn meshes(report: &Report<'_>, document: &mut Document) {
+pub(crate) fn meshes(report: &Report<'_>, document: &mut ReportDocument) {
     let mut seen: Vec<&str> = Vec::new();
     for case in report.cases {
         if seen.contains(&case.mesh.id.as_str()) {
@@ -168,7 +168,7 @@ pub fn meshes(report: &Report<'_>, document: &mut Document) {
     }
 }
 
-fn mesh(mesh: &MeshType, case: &Case, unit: LengthUnit, document: &mut Document) {
+fn mesh(mesh: &MeshType, case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
     let lab = &mesh.laboratory;
     let length = |v: f64| format!("{} {}", length_entry(v, unit), unit.symbol());
     let mut rows = vec![
@@ -207,7 +207,7 @@ fn mesh(mesh: &MeshType, case: &Case, unit: LengthUnit, document: &mut Document)
 }
 
 /// How a reviewer gets the same numbers.
-pub fn repeat(report: &Report<'_>, document: &mut Document) {
+pub(crate) fn repeat(report: &Report<'_>, document: &mut ReportDocument) {
     document.chapter("How to repeat it");
     document.quote(format!(
         "Every number above comes from meshcast {VERSION}; another version may round or warn differently. The command lines with each layout print its values; with --format json they print the inputs' fingerprint too, which must be the one given here."

@@ -1,6 +1,6 @@
 //! A report as one HTML page with its pictures inside. It loads nothing, and it is XML as well.
 
-use super::document::{Block, Document, Picture, Span, Words};
+use super::document::{Block, Picture, ReportDocument, TextSpan, Words};
 use crate::export::escape::xml;
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space:
 ";
 
 /// The whole page.
-pub fn page(document: &Document) -> String {
+pub(crate) fn page(document: &ReportDocument) -> String {
     let title = xml(&document.title);
     let mut out = format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
@@ -111,11 +111,11 @@ fn line(words: &Words) -> String {
         .0
         .iter()
         .map(|span| match span {
-            Span::Plain(text) => xml(text),
-            Span::Strong(text) => format!("<strong>{}</strong>", xml(text)),
-            Span::Symbol(base, "") => format!("<var>{base}</var>"),
-            Span::Symbol(base, index) => format!("<var>{base}</var><sub>{}</sub>", xml(index)),
-            Span::Code(text) => format!("<code>{}</code>", xml(text)),
+            TextSpan::Plain(text) => xml(text),
+            TextSpan::Strong(text) => format!("<strong>{}</strong>", xml(text)),
+            TextSpan::Symbol(base, "") => format!("<var>{base}</var>"),
+            TextSpan::Symbol(base, index) => format!("<var>{base}</var><sub>{}</sub>", xml(index)),
+            TextSpan::Code(text) => format!("<code>{}</code>", xml(text)),
         })
         .collect()
 }

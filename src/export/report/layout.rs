@@ -1,7 +1,7 @@
 //! One layout of the report: pictures, the value at each step, design, warnings, command lines.
 
 use super::Report;
-use super::document::{Block, Document, Picture, Words, code, ours, sentence, strong};
+use super::document::{Block, Picture, ReportDocument, Words, code, ours, sentence, strong};
 use super::front::entered_force;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Case, Check, command};
@@ -11,7 +11,12 @@ use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, 
 use crate::units::{to_kj, to_kn};
 
 /// Writes the section of a layout.
-pub fn layout(report: &Report<'_>, index: usize, case: &Case, document: &mut Document) {
+pub(crate) fn layout(
+    report: &Report<'_>,
+    index: usize,
+    case: &Case,
+    document: &mut ReportDocument,
+) {
     let unit = report.unit;
     let name = &case.entry.name;
     document.section(format!("{}. {name}", index + 1));
@@ -51,7 +56,7 @@ pub fn layout(report: &Report<'_>, index: usize, case: &Case, document: &mut Doc
     }
 }
 
-fn warnings(case: &Case, document: &mut Document) {
+fn warnings(case: &Case, document: &mut ReportDocument) {
     let mut all: Vec<_> = case.forecast.warnings.iter().collect();
     all.sort_by_key(|w| std::cmp::Reverse(w.weight()));
     if all.is_empty() {
@@ -67,7 +72,7 @@ fn warnings(case: &Case, document: &mut Document) {
 }
 
 /// The value at each step of the method.
-fn steps(case: &Case, unit: LengthUnit, document: &mut Document) {
+fn steps(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
     let forecast = &case.forecast;
     let mut rows = Vec::new();
     let four = |v: f64| significant(v, 4);
@@ -137,7 +142,7 @@ fn steps(case: &Case, unit: LengthUnit, document: &mut Document) {
 }
 
 /// A few points of the curve.
-fn points(field: &Field, unit: LengthUnit, document: &mut Document) {
+fn points(field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
     let three = |v: f64| Words::from(significant(v, 3));
     let rows = [25, 50, 75, 90, 100].map(|percent| {
         let delta = field.values.deflection * f64::from(percent) / 100.0;
@@ -161,7 +166,7 @@ fn points(field: &Field, unit: LengthUnit, document: &mut Document) {
 }
 
 /// The answers to the design questions, with the factors that act.
-fn design(case: &Case, unit: LengthUnit, document: &mut Document) {
+fn design(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
     let question = &case.question;
     let Some(answer) = &case.design else {
         if question.force.is_some() || question.deflection.is_some() {
@@ -213,7 +218,7 @@ fn design(case: &Case, unit: LengthUnit, document: &mut Document) {
 }
 
 /// The check beside the forecast.
-fn checked(case: &Case, check: &Check, unit: LengthUnit, document: &mut Document) {
+fn checked(case: &Case, check: &Check, unit: LengthUnit, document: &mut ReportDocument) {
     document.quote(strong(sentence(&check.title())));
     let mut items = Vec::new();
     if let Some(end) = check.mean.failure {

@@ -1,14 +1,14 @@
 //! A report as one Markdown text (CommonMark with tables). Its pictures stand at its end as data, so
 //! that the text stays readable and the file stays whole.
 
-use super::document::{Block, Document, Span, Words};
+use super::document::{Block, ReportDocument, TextSpan, Words};
 use crate::export::escape::markdown;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
 
 /// The whole text.
-pub fn text(document: &Document) -> String {
+pub(crate) fn text(document: &ReportDocument) -> String {
     let mut out = format!("# {}\n", markdown(&document.title, true));
     let mut pictures = Vec::new();
     for block in &document.blocks {
@@ -82,17 +82,17 @@ fn line(words: &Words, start: bool) -> String {
     let mut out = String::new();
     for span in &words.0 {
         match span {
-            Span::Plain(text) => out.push_str(&markdown(text, start && out.is_empty())),
-            Span::Strong(text) => {
+            TextSpan::Plain(text) => out.push_str(&markdown(text, start && out.is_empty())),
+            TextSpan::Strong(text) => {
                 // A space before the closing stars would leave them without a meaning.
                 let word = text.trim_end();
                 let _ = write!(out, "**{}**{}", markdown(word, false), &text[word.len()..]);
             }
-            Span::Symbol(base, "") => out.push_str(base),
-            Span::Symbol(base, index) => {
+            TextSpan::Symbol(base, "") => out.push_str(base),
+            TextSpan::Symbol(base, index) => {
                 let _ = write!(out, "{base}\\_{}", markdown(index, false));
             }
-            Span::Code(text) => {
+            TextSpan::Code(text) => {
                 let text = one_line(text).replace('|', "\\|");
                 let tick = "`".repeat(longest_run(&text, '`') + 1);
                 let space = if text.starts_with('`') || text.ends_with('`') { " " } else { "" };

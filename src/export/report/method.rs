@@ -1,11 +1,11 @@
 //! What the report says of the method: its equations and its limits.
 
-use super::document::{Block, Document, ours};
+use super::document::{Block, ReportDocument, ours};
 use crate::forecast::eccentricity::published;
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
 
 /// The equations, in the order in which they are used.
-pub fn equations(document: &mut Document) {
+pub(crate) fn equations(document: &mut ReportDocument) {
     document.chapter("Method");
     document.say("Pol, A. and Gabrieli, F. (2021): A simple tool for forecasting the mechanical response of anchored wire mesh panels. Numbers of equations are those of that paper; * marks reference values, lengths are in m.");
     document.say("Laboratory. The punch test of the mesh gives {F_l*} and {delta_l*} for the standard panel of 3.0 m and the punch of 1.0 m. A test on a square panel of another side {L_l} is brought to the standard one by");
@@ -47,7 +47,7 @@ pub fn equations(document: &mut Document) {
 }
 
 /// Where the method ends.
-pub fn limits(document: &mut Document) {
+pub(crate) fn limits(document: &mut ReportDocument) {
     document.chapter("What the numbers are, and are not");
     let ranges = format!(
         "Published ranges: plate {{d}} {}, spacing {{L}} {}, punch {{D}} {}, laboratory panel {{L_l}} {}. A number outside them is extrapolated and marked as such.",
@@ -68,6 +68,6 @@ pub fn limits(document: &mut Document) {
     ]));
 }
 
-fn push(document: &mut Document, template: &str, number: &'static str) {
+fn push(document: &mut ReportDocument, template: &str, number: &'static str) {
     document.blocks.push(Block::Equation(ours(template), number));
 }

@@ -4,21 +4,21 @@
 //! - [`document`]: the report without a form; [`html`], [`markdown`]: its two forms.
 //! - `front`: project, results, meshes, limits; `method`: the equations; `layout`: one layout.
 
-pub mod document;
+pub(crate) mod document;
 mod front;
-pub mod html;
+pub(crate) mod html;
 mod layout;
-pub mod markdown;
+pub(crate) mod markdown;
 mod method;
 
 use super::{Case, Check};
 use crate::project::Project;
 use crate::units::LengthUnit;
-use document::Document;
+use document::ReportDocument;
 
 /// Where a project comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Source<'a> {
+pub struct ReportSource<'a> {
     /// Name of the file without its directory; empty for a project that stands in no file.
     pub file_name: &'a str,
     /// The text of the file to the byte; nothing for a project that stands in no file.
@@ -37,7 +37,7 @@ pub struct Report<'a> {
     /// The checks of the layouts in the same order; shorter or empty where there are none.
     pub checks: &'a [Option<Check>],
     /// Where the project comes from.
-    pub source: Source<'a>,
+    pub source: ReportSource<'a>,
     /// The unit of lengths.
     pub unit: LengthUnit,
 }
@@ -54,8 +54,8 @@ impl Report<'_> {
     }
 
     /// The report without a form.
-    pub fn document(&self) -> Document {
-        let mut document = Document {
+    pub(crate) fn document(&self) -> ReportDocument {
+        let mut document = ReportDocument {
             title: format!("{}: anchored wire mesh, forecast", self.project.name),
             blocks: Vec::new(),
         };

@@ -1,9 +1,9 @@
 //! Force over deflection: one layout with everything that belongs to it, or several together.
 
 use super::drawing::{Anchor, Drawing, Frame, Stroke, TEXT};
-use super::frame::Plane;
+use super::frame::ChartPlane;
 use super::labels::Labels;
-use super::legend::{self, Entry};
+use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
 use crate::export::{Case, Check};
@@ -72,7 +72,7 @@ struct Content {
     lines: Vec<Line>,
     levels: Vec<Level>,
     breaks: Vec<Point>,
-    legend: Vec<Entry>,
+    legend: Vec<LegendEntry>,
     /// A sentence across the plot where there is nothing else to see.
     remark: Option<&'static str>,
     /// The axes end at these where they are set, and lines beyond leave the plot.
@@ -81,7 +81,7 @@ struct Content {
 
 impl Content {
     fn line(&mut self, curve: &Curve, stroke: Stroke, mark: Mark, tag: &str, words: String) {
-        self.legend.push(Entry {
+        self.legend.push(LegendEntry {
             line: Some(stroke),
             mark: curve.failure.map(|_| mark),
             band: false,
@@ -98,12 +98,12 @@ impl Content {
 
     fn words(&mut self, tag: &str, words: String) {
         let tag = tag_of_legend(tag);
-        self.legend.push(Entry { line: None, mark: None, band: false, tag, words });
+        self.legend.push(LegendEntry { line: None, mark: None, band: false, tag, words });
     }
 
     fn level(&mut self, force: bool, value: f64, stroke: Stroke, words: String) {
         let entry = self.legend.len();
-        self.legend.push(Entry {
+        self.legend.push(LegendEntry {
             line: Some(stroke),
             mark: None,
             band: false,
@@ -170,7 +170,7 @@ impl Content {
         }
         let frame = Frame { left: EDGES.0, top, right: EDGES.1, bottom: top + HEIGHT };
         let most = self.extent();
-        let plane = Plane::holding(frame, most.deflection, most.force, unit);
+        let plane = ChartPlane::holding(frame, most.deflection, most.force, unit);
         plane.draw(&mut drawing);
         let mut labels = Labels::new(frame);
         for band in &self.bands {
@@ -210,7 +210,7 @@ impl Content {
     }
 
     /// The legend; a design value that is not drawn says so.
-    fn legend_on(&self, plane: &Plane) -> Vec<Entry> {
+    fn legend_on(&self, plane: &ChartPlane) -> Vec<LegendEntry> {
         let mut entries = self.legend.clone();
         for level in &self.levels {
             let end = if level.force { plane.largest_force() } else { plane.last_deflection() };
@@ -223,7 +223,13 @@ impl Content {
         entries
     }
 
-    fn level_line(&self, level: &Level, plane: &Plane, drawing: &mut Drawing, labels: &mut Labels) {
+    fn level_line(
+        &self,
+        level: &Level,
+        plane: &ChartPlane,
+        drawing: &mut Drawing,
+        labels: &mut Labels,
+    ) {
         let (last, largest) = (plane.last_deflection(), plane.largest_force());
         let ends = if level.force {
             [
@@ -244,7 +250,7 @@ impl Content {
     }
 
     /// The words inside the plot, once every line is known.
-    fn tags(&self, plane: &Plane, drawing: &mut Drawing, labels: &mut Labels) {
+    fn tags(&self, plane: &ChartPlane, drawing: &mut Drawing, labels: &mut Labels) {
         for line in self.lines.iter().filter(|line| !line.tag.is_empty()) {
             if let Some((_, end)) = line.end
                 && plane.holds(end)
@@ -268,7 +274,7 @@ fn tag_of_legend(tag: &str) -> String {
     if tag.chars().all(|c| c.is_ascii_digit()) { tag.to_string() } else { String::new() }
 }
 
-fn said(entry: &Entry) -> String {
+fn said(entry: &LegendEntry) -> String {
     if entry.tag.is_empty() {
         entry.words.clone()
     } else {

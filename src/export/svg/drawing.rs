@@ -5,36 +5,36 @@ use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
 /// Size of ordinary text, in units of the picture (a pixel at full size).
-pub const TEXT: f64 = 14.0;
+pub(crate) const TEXT: f64 = 14.0;
 /// Width of a letter over the size of the text: that of wide sans-serif fonts, so that no text is cut.
 const LETTER: f64 = 0.6;
 
 /// Width that a text takes, estimated on the safe side.
-pub fn text_width(text: &str, size: f64) -> f64 {
+pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     text.width() as f64 * size * LETTER
 }
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub(crate) struct Stroke {
     /// Colour; dark enough to print.
-    pub colour: &'static str,
+    pub(crate) colour: &'static str,
     /// Width.
-    pub width: f64,
+    pub(crate) width: f64,
     /// Lengths of dashes and gaps; empty for a solid line.
-    pub dashes: &'static str,
+    pub(crate) dashes: &'static str,
 }
 
 impl Stroke {
     /// A solid line.
-    pub const fn solid(colour: &'static str, width: f64) -> Stroke {
+    pub(crate) const fn solid(colour: &'static str, width: f64) -> Stroke {
         Stroke { colour, width, dashes: "" }
     }
 }
 
 /// Where a text stands against its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     /// It begins there.
     Start,
     /// Its middle is there.
@@ -45,25 +45,25 @@ pub enum Anchor {
 
 /// A rectangle: left, top, right, bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub(crate) struct Frame {
     /// Left edge.
-    pub left: f64,
+    pub(crate) left: f64,
     /// Upper edge.
-    pub top: f64,
+    pub(crate) top: f64,
     /// Right edge.
-    pub right: f64,
+    pub(crate) right: f64,
     /// Lower edge.
-    pub bottom: f64,
+    pub(crate) bottom: f64,
 }
 
 impl Frame {
     /// Whether a point is inside; the edges belong to it.
-    pub fn holds(&self, (x, y): (f64, f64)) -> bool {
+    pub(crate) fn holds(&self, (x, y): (f64, f64)) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
 
     /// Whether two rectangles overlap.
-    pub fn meets(&self, other: &Frame) -> bool {
+    pub(crate) fn meets(&self, other: &Frame) -> bool {
         self.left < other.right
             && other.left < self.right
             && self.top < other.bottom
@@ -71,7 +71,7 @@ impl Frame {
     }
 
     /// Whether another rectangle is wholly inside.
-    pub fn holds_all(&self, other: &Frame) -> bool {
+    pub(crate) fn holds_all(&self, other: &Frame) -> bool {
         self.holds((other.left, other.top)) && self.holds((other.right, other.bottom))
     }
 
@@ -101,7 +101,7 @@ impl Frame {
     }
 
     /// The pieces of a line that are inside.
-    pub fn pieces(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    pub(crate) fn pieces(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
         let mut joined = false;
         for pair in points.windows(2) {
@@ -121,24 +121,24 @@ impl Frame {
 
 /// A picture as it grows.
 #[derive(Debug)]
-pub struct Drawing {
+pub(crate) struct Drawing {
     width: f64,
     body: String,
 }
 
 impl Drawing {
     /// An empty picture of this width; its height is said at the end.
-    pub fn new(width: f64) -> Drawing {
+    pub(crate) fn new(width: f64) -> Drawing {
         Drawing { width, body: String::new() }
     }
 
     /// An open line through points.
-    pub fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
+    pub(crate) fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
         self.shape("polyline", points, "none", stroke);
     }
 
     /// A closed shape; `fill` is a colour.
-    pub fn area(&mut self, points: &[(f64, f64)], fill: &str, stroke: Stroke) {
+    pub(crate) fn area(&mut self, points: &[(f64, f64)], fill: &str, stroke: Stroke) {
         self.shape("polygon", points, fill, stroke);
     }
 
@@ -153,7 +153,7 @@ impl Drawing {
     }
 
     /// A rectangle.
-    pub fn rectangle(&mut self, frame: Frame, fill: &str, stroke: Stroke) {
+    pub(crate) fn rectangle(&mut self, frame: Frame, fill: &str, stroke: Stroke) {
         let _ = writeln!(
             self.body,
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{fill}\"{}/>",
@@ -166,7 +166,7 @@ impl Drawing {
     }
 
     /// A circle.
-    pub fn circle(&mut self, (x, y): (f64, f64), radius: f64, fill: &str, stroke: Stroke) {
+    pub(crate) fn circle(&mut self, (x, y): (f64, f64), radius: f64, fill: &str, stroke: Stroke) {
         let _ = writeln!(
             self.body,
             "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{fill}\"{}/>",
@@ -178,17 +178,17 @@ impl Drawing {
     }
 
     /// A text on its base line, with a white rim that keeps it readable over lines.
-    pub fn text(&mut self, at: (f64, f64), anchor: Anchor, size: f64, text: &str) {
+    pub(crate) fn text(&mut self, at: (f64, f64), anchor: Anchor, size: f64, text: &str) {
         self.words(at, anchor, size, "", text);
     }
 
     /// The same in bold.
-    pub fn bold(&mut self, at: (f64, f64), anchor: Anchor, size: f64, text: &str) {
+    pub(crate) fn bold(&mut self, at: (f64, f64), anchor: Anchor, size: f64, text: &str) {
         self.words(at, anchor, size, " font-weight=\"bold\"", text);
     }
 
     /// A text that reads upwards.
-    pub fn upright(&mut self, at: (f64, f64), size: f64, text: &str) {
+    pub(crate) fn upright(&mut self, at: (f64, f64), size: f64, text: &str) {
         let turn = format!(" transform=\"rotate(-90 {} {})\"", number(at.0), number(at.1));
         self.words(at, Anchor::Middle, size, &turn, text);
     }
@@ -210,7 +210,7 @@ impl Drawing {
     }
 
     /// The picture, with a title and a description for those who cannot see it.
-    pub fn finish(self, height: f64, title: &str, description: &str) -> String {
+    pub(crate) fn finish(self, height: f64, title: &str, description: &str) -> String {
         let (w, h) = (number(self.width), number(height));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" font-family=\"sans-serif\" fill=\"#000\">\n\

@@ -10,18 +10,23 @@ const TICK_TEXT: f64 = 13.0;
 
 /// A plane with axes: deflection to the right, force up.
 #[derive(Debug, Clone, Copy)]
-pub struct Plane {
+pub(crate) struct ChartPlane {
     /// Where the plot stands in the picture.
-    pub frame: Frame,
+    pub(crate) frame: Frame,
     x: Axis,
     y: Axis,
     unit: LengthUnit,
 }
 
-impl Plane {
+impl ChartPlane {
     /// A plane that holds a deflection (m) and a force (N).
-    pub fn holding(frame: Frame, deflection: f64, force: f64, unit: LengthUnit) -> Plane {
-        Plane {
+    pub(crate) fn holding(
+        frame: Frame,
+        deflection: f64,
+        force: f64,
+        unit: LengthUnit,
+    ) -> ChartPlane {
+        ChartPlane {
             frame,
             x: Axis::holding(deflection * unit.per_metre() * 1.02, 10),
             y: Axis::holding(to_kn(force) * 1.02, 8),
@@ -30,17 +35,17 @@ impl Plane {
     }
 
     /// Deflection at the right edge, m.
-    pub fn last_deflection(&self) -> f64 {
+    pub(crate) fn last_deflection(&self) -> f64 {
         self.x.end() / self.unit.per_metre()
     }
 
     /// Force at the upper edge, N.
-    pub fn largest_force(&self) -> f64 {
+    pub(crate) fn largest_force(&self) -> f64 {
         from_kn(self.y.end())
     }
 
     /// Where a point is in the picture.
-    pub fn at(&self, point: Point) -> (f64, f64) {
+    pub(crate) fn at(&self, point: Point) -> (f64, f64) {
         let f = &self.frame;
         let x = point.deflection / self.last_deflection();
         let y = point.force / self.largest_force();
@@ -48,12 +53,12 @@ impl Plane {
     }
 
     /// Whether a point is in the plot.
-    pub fn holds(&self, point: Point) -> bool {
+    pub(crate) fn holds(&self, point: Point) -> bool {
         self.frame.holds(self.at(point))
     }
 
     /// Draws grid, axes, ticks and names.
-    pub fn draw(&self, drawing: &mut Drawing) {
+    pub(crate) fn draw(&self, drawing: &mut Drawing) {
         let f = &self.frame;
         let grid = Stroke::solid("#ddd", 1.0);
         for (value, label) in self.x.ticks() {

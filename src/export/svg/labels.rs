@@ -7,19 +7,19 @@ const AIR: f64 = 2.0;
 
 /// What is taken already.
 #[derive(Debug)]
-pub struct Labels {
+pub(crate) struct Labels {
     inside: Frame,
     taken: Vec<Frame>,
 }
 
 impl Labels {
     /// Nothing but the frame that words must stay in.
-    pub fn new(inside: Frame) -> Labels {
+    pub(crate) fn new(inside: Frame) -> Labels {
         Labels { inside, taken: Vec::new() }
     }
 
     /// Keeps words off a line.
-    pub fn avoid(&mut self, points: &[(f64, f64)]) {
+    pub(crate) fn avoid(&mut self, points: &[(f64, f64)]) {
         const REACH: f64 = 3.0;
         for pair in points.windows(2) {
             let (a, b) = (pair[0], pair[1]);
@@ -33,7 +33,7 @@ impl Labels {
     }
 
     /// Keeps words off a point.
-    pub fn avoid_point(&mut self, (x, y): (f64, f64), reach: f64) {
+    pub(crate) fn avoid_point(&mut self, (x, y): (f64, f64), reach: f64) {
         self.taken.push(Frame {
             left: x - reach,
             top: y - reach,
@@ -69,7 +69,7 @@ impl Labels {
     }
 
     /// A word beside a point, in growing circles around it.
-    pub fn beside(&mut self, drawing: &mut Drawing, (x, y): (f64, f64), text: &str) {
+    pub(crate) fn beside(&mut self, drawing: &mut Drawing, (x, y): (f64, f64), text: &str) {
         let width = text_width(text, TEXT);
         let mut places = Vec::new();
         for ring in 0..8 {
@@ -89,7 +89,7 @@ impl Labels {
     }
 
     /// A word along a level line: above it, from the left, or else below it.
-    pub fn along(&mut self, drawing: &mut Drawing, y: f64, text: &str) {
+    pub(crate) fn along(&mut self, drawing: &mut Drawing, y: f64, text: &str) {
         let mut places = Vec::new();
         for side in [-9.0, TEXT + 3.0] {
             for step in 0..30 {
@@ -100,7 +100,7 @@ impl Labels {
     }
 
     /// A word at an upright line: right of it, from the top, or else left of it.
-    pub fn upright(&mut self, drawing: &mut Drawing, x: f64, text: &str) {
+    pub(crate) fn upright(&mut self, drawing: &mut Drawing, x: f64, text: &str) {
         let width = text_width(text, TEXT);
         let mut places = Vec::new();
         for left in [x + 6.0, x - 6.0 - width] {

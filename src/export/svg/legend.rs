@@ -6,17 +6,17 @@ use super::marks::Mark;
 
 /// One line of a legend.
 #[derive(Debug, Clone)]
-pub struct Entry {
+pub(super) struct LegendEntry {
     /// The line's style; nothing where there is no line to explain.
-    pub line: Option<Stroke>,
+    pub(crate) line: Option<Stroke>,
     /// The sign at the line's end.
-    pub mark: Option<Mark>,
+    pub(crate) mark: Option<Mark>,
     /// Whether a filled band belongs to it.
-    pub band: bool,
+    pub(crate) band: bool,
     /// A short name in front.
-    pub tag: String,
+    pub(crate) tag: String,
     /// What it is.
-    pub words: String,
+    pub(crate) words: String,
 }
 
 /// Length of the piece of line.
@@ -25,7 +25,13 @@ const SAMPLE: f64 = 52.0;
 const ROW: f64 = 20.0;
 
 /// Draws the entries from `top` on and returns where they end.
-pub fn draw(drawing: &mut Drawing, entries: &[Entry], left: f64, right: f64, top: f64) -> f64 {
+pub(crate) fn draw(
+    drawing: &mut Drawing,
+    entries: &[LegendEntry],
+    left: f64,
+    right: f64,
+    top: f64,
+) -> f64 {
     let mut y = top;
     let begin = left + SAMPLE + 12.0;
     for entry in entries {
@@ -56,7 +62,7 @@ pub fn draw(drawing: &mut Drawing, entries: &[Entry], left: f64, right: f64, top
 }
 
 /// A text in lines that fit a width.
-pub fn wrapped(text: &str, width: f64) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, width: f64) -> Vec<String> {
     let columns = (width / text_width("x", TEXT)).floor().max(10.0) as usize;
     let options = textwrap::Options::new(columns)
         .word_separator(textwrap::WordSeparator::AsciiSpace)

@@ -4,7 +4,7 @@ use super::drawing::{Drawing, Stroke};
 
 /// The sign at the end of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
+pub(crate) enum Mark {
     /// An X.
     Cross,
     /// A filled circle.
@@ -24,25 +24,25 @@ pub enum Mark {
 }
 
 /// Line of the forecast of a single layout.
-pub const FORECAST: Stroke = Stroke::solid("#000", 2.4);
+pub(crate) const FORECAST: Stroke = Stroke::solid("#000", 2.4);
 /// Line of the laboratory test.
-pub const LABORATORY: Stroke = Stroke { colour: "#444", width: 2.0, dashes: "0.1 5" };
+pub(crate) const LABORATORY: Stroke = Stroke { colour: "#444", width: 2.0, dashes: "0.1 5" };
 /// Line of the other branch.
-pub const OTHER: Stroke = Stroke { colour: "#0a5040", width: 1.6, dashes: "9 4" };
+pub(crate) const OTHER: Stroke = Stroke { colour: "#0a5040", width: 1.6, dashes: "9 4" };
 /// Line of a check.
-pub const CHECK: Stroke = Stroke { colour: "#00479a", width: 2.0, dashes: "14 4 3 4" };
+pub(crate) const CHECK: Stroke = Stroke { colour: "#00479a", width: 2.0, dashes: "14 4 3 4" };
 /// Edge of a check's band.
-pub const BAND: Stroke = Stroke::solid("#7088a8", 0.8);
+pub(crate) const BAND: Stroke = Stroke::solid("#7088a8", 0.8);
 /// Line of a design force.
-pub const DESIGN: Stroke = Stroke { colour: "#8a2b00", width: 1.6, dashes: "8 4" };
+pub(crate) const DESIGN: Stroke = Stroke { colour: "#8a2b00", width: 1.6, dashes: "8 4" };
 /// Line of an allowable deflection.
-pub const ALLOWABLE: Stroke = Stroke { colour: "#8a2b00", width: 1.6, dashes: "3 3" };
+pub(crate) const ALLOWABLE: Stroke = Stroke { colour: "#8a2b00", width: 1.6, dashes: "3 3" };
 /// Line of a factored resistance.
-pub const RESISTANCE: Stroke = Stroke { colour: "#000", width: 1.2, dashes: "12 3 2 3 2 3" };
+pub(crate) const RESISTANCE: Stroke = Stroke { colour: "#000", width: 1.2, dashes: "12 3 2 3 2 3" };
 
 /// The style of a curve among several: dashes, colour and sign repeat at different lengths, so that
 /// the first forty are all different; the number at its end tells the rest.
-pub fn nth(index: usize) -> (Stroke, Mark) {
+pub(crate) fn nth(index: usize) -> (Stroke, Mark) {
     const DASHES: [&str; 5] = ["", "10 4", "4 3", "12 4 3 4", "18 5"];
     const COLOURS: [&str; 6] = ["#000", "#00479a", "#8a2b00", "#0a5040", "#5a1a78", "#5a4a00"];
     const MARKS: [Mark; 8] = [
@@ -62,7 +62,7 @@ pub fn nth(index: usize) -> (Stroke, Mark) {
 
 impl Mark {
     /// Draws the sign in the colour of its line.
-    pub fn draw(self, drawing: &mut Drawing, (x, y): (f64, f64), size: f64, line: Stroke) {
+    pub(crate) fn draw(self, drawing: &mut Drawing, (x, y): (f64, f64), size: f64, line: Stroke) {
         let r = size / 2.0;
         let pen = Stroke::solid(line.colour, 1.8);
         let square = [(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)];

@@ -1,11 +1,11 @@
 //! Changes to the fields of a struct.
 
 use super::super::text::{Entry, Group, Node, Span};
-use super::{Edit, Source};
+use super::{Edit, PatchSource};
 
 /// What happens to a field.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Change {
+pub(crate) enum FieldChange {
     /// It gets this value, in RON.
     Set(String),
     /// It has no value any more.
@@ -13,8 +13,8 @@ pub enum Change {
 }
 
 /// The fields of one struct and the changes to them so far.
-pub struct Fields<'t> {
-    source: Source<'t>,
+pub(crate) struct Fields<'t> {
+    source: PatchSource<'t>,
     group: &'t Group,
     /// The order in which fields are written.
     order: &'t [&'t str],
@@ -27,7 +27,7 @@ pub struct Fields<'t> {
 
 impl<'t> Fields<'t> {
     /// The fields of a struct; `order` has all their names.
-    pub fn new(source: Source<'t>, group: &'t Group, order: &'t [&'t str]) -> Self {
+    pub(crate) fn new(source: PatchSource<'t>, group: &'t Group, order: &'t [&'t str]) -> Self {
         Fields { source, group, order, edits: Vec::new(), removed: Vec::new(), missing: Vec::new() }
     }
 
@@ -36,24 +36,24 @@ impl<'t> Fields<'t> {
     }
 
     /// The value of a field, if it is there.
-    pub fn value(&self, name: &str) -> Option<&'t Node> {
+    pub(crate) fn value(&self, name: &str) -> Option<&'t Node> {
         self.find(name).map(|k| self.group.entries[k].value.unwrapped())
     }
 
     /// Takes in changes that were made inside a field.
-    pub fn add(&mut self, edits: Vec<Edit>) {
+    pub(crate) fn add(&mut self, edits: Vec<Edit>) {
         self.edits.extend(edits);
     }
 
     /// Changes a field.
-    pub fn change(&mut self, name: &'t str, change: Change) {
+    pub(crate) fn change(&mut self, name: &'t str, change: FieldChange) {
         match (self.find(name), change) {
-            (Some(k), Change::Set(text)) => {
+            (Some(k), FieldChange::Set(text)) => {
                 self.edits.push((self.group.entries[k].value.unwrapped().span, text));
             }
-            (Some(k), Change::Unset) => self.unset(k),
-            (None, Change::Set(text)) => self.missing.push((name, text)),
-            (None, Change::Unset) => {}
+            (Some(k), FieldChange::Unset) => self.unset(k),
+            (None, FieldChange::Set(text)) => self.missing.push((name, text)),
+            (None, FieldChange::Unset) => {}
         }
     }
 
@@ -91,7 +91,7 @@ impl<'t> Fields<'t> {
     }
 
     /// All changes, those for missing fields included. Nothing if there is no place for a field.
-    pub fn finish(mut self) -> Option<Vec<Edit>> {
+    pub(crate) fn finish(mut self) -> Option<Vec<Edit>> {
         let rank = |name: &str| self.order.iter().position(|n| *n == name);
         let mut missing = std::mem::take(&mut self.missing);
         missing.sort_by_key(|(name, _)| rank(name));

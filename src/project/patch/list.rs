@@ -6,11 +6,11 @@
 //! which the item ends, so that a comment behind the item is in it.
 
 use super::super::text::{Entry, Group, Span};
-use super::{Edit, Source, apply_within};
+use super::{Edit, PatchSource, apply_within};
 
 /// An item of the list as it is to be.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Item {
+pub(crate) enum Item {
     /// One that stands in the text, with changes inside it.
     Kept {
         /// Its place in the old list.
@@ -23,15 +23,15 @@ pub enum Item {
 }
 
 /// A list in a text.
-pub struct List<'t> {
-    source: Source<'t>,
+pub(crate) struct List<'t> {
+    source: PatchSource<'t>,
     group: &'t Group,
     indent: String,
 }
 
 impl<'t> List<'t> {
     /// A list in a text.
-    pub fn new(source: Source<'t>, group: &'t Group) -> Self {
+    pub(crate) fn new(source: PatchSource<'t>, group: &'t Group) -> Self {
         let first = group.entries.iter().find_map(|e| source.indent(e.span().start));
         let indent = match first {
             Some(blanks) => blanks.to_string(),
@@ -41,22 +41,22 @@ impl<'t> List<'t> {
     }
 
     /// The blanks in front of an item.
-    pub fn indent(&self) -> &str {
+    pub(crate) fn indent(&self) -> &str {
         &self.indent
     }
 
     /// Whether the list has items and all of it stands on one line.
-    pub fn is_one_line(&self) -> bool {
+    pub(crate) fn is_one_line(&self) -> bool {
         !self.group.entries.is_empty() && !self.group.inner.of(self.source.text).contains('\n')
     }
 
     /// The old item at an index.
-    pub fn entry(&self, index: usize) -> Option<&'t Entry> {
+    pub(crate) fn entry(&self, index: usize) -> Option<&'t Entry> {
         self.group.entries.get(index)
     }
 
     /// The changes that make the list hold these items.
-    pub fn edits(&self, items: Vec<Item>) -> Option<Vec<Edit>> {
+    pub(crate) fn edits(&self, items: Vec<Item>) -> Option<Vec<Edit>> {
         let in_place = items.len() == self.group.entries.len()
             && items
                 .iter()

@@ -8,30 +8,30 @@
 //! - [`patch`]: the whole project; this file. [`fields`]: the fields of a struct. [`list`]: the
 //!   items of a list.
 
-pub mod fields;
-pub mod list;
+pub(crate) mod fields;
+pub(crate) mod list;
 
 use super::decode::{DISPLAY_FIELDS, LAYOUT_FIELDS, PROJECT_FIELDS};
 use super::document::Rendered;
 use super::schema::{NamedLayout, Project};
 use super::text::scalar::quoted;
-use super::text::{Group, Kind, Node, Shape, Span, Tree};
+use super::text::{Group, Node, NodeKind, Shape, Span, Tree};
 use super::write;
 use crate::units::Quantity;
-use fields::{Change, Fields};
+use fields::{FieldChange, Fields};
 use list::{Item, List};
 
 /// A part of a text and what comes in its place.
-pub type Edit = (Span, String);
+pub(crate) type Edit = (Span, String);
 
 /// Puts new text in the place of parts of a text. Parts must not overlap; an empty part is a place
 /// to put text in, and several texts for one place come in the order given.
-pub fn apply(text: &str, edits: Vec<Edit>) -> String {
+pub(crate) fn apply(text: &str, edits: Vec<Edit>) -> String {
     apply_within(text, Span::new(0, text.len()), edits)
 }
 
 /// The same for a part of a text, with edits inside that part.
-pub fn apply_within(text: &str, part: Span, mut edits: Vec<Edit>) -> String {
+pub(crate) fn apply_within(text: &str, part: Span, mut edits: Vec<Edit>) -> String {
     edits.sort_by_key(|e| (e.0.start, e.0.end));
     let mut out = String::with_capacity(part.end - part.start + 64);
     let mut done = part.start;
@@ -49,33 +49,33 @@ pub fn apply_within(text: &str, part: Span, mut edits: Vec<Edit>) -> String {
 
 /// A text with its tree, and how lines end in it.
 #[derive(Clone, Copy)]
-pub struct Source<'t> {
+pub(crate) struct PatchSource<'t> {
     /// The text.
     pub text: &'t str,
     /// Its tree.
     pub tree: &'t Tree,
 }
 
-impl Source<'_> {
+impl PatchSource<'_> {
     /// How lines end.
-    pub fn newline(&self) -> &'static str {
+    pub(crate) fn newline(&self) -> &'static str {
         if self.text.contains("\r\n") { "\r\n" } else { "\n" }
     }
 
     /// The comments that lie in a part.
-    pub fn has_comment(&self, start: usize, end: usize) -> bool {
+    pub(crate) fn has_comment(&self, start: usize, end: usize) -> bool {
         self.tree.comments.iter().any(|c| c.start >= start && c.end <= end)
     }
 
     /// Blanks in front of a place, if nothing else stands before it on its line.
-    pub fn indent(&self, at: usize) -> Option<&str> {
+    pub(crate) fn indent(&self, at: usize) -> Option<&str> {
         let start = self.text[..at].rfind('\n').map_or(0, |n| n + 1);
         let before = &self.text[start..at];
         before.chars().all(|c| c == ' ' || c == '\t').then_some(before)
     }
 
     /// Blanks at the start of the line on which a place is.
-    pub fn line_indent(&self, at: usize) -> &str {
+    pub(crate) fn line_indent(&self, at: usize) -> &str {
         let start = self.text[..at].rfind('\n').map_or(0, |n| n + 1);
         let line = &self.text[start..at];
         &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
@@ -83,7 +83,7 @@ impl Source<'_> {
 
     /// Walks blanks and one-line comments from a place. Where the line ends: the place before and
     /// the place behind the line end. Nothing if something else stands on the line.
-    pub fn line_end(&self, from: usize) -> Option<(usize, usize)> {
+    pub(crate) fn line_end(&self, from: usize) -> Option<(usize, usize)> {
         let mut at = from;
         loop {
             let rest = &self.text[at..];
@@ -113,8 +113,8 @@ impl Source<'_> {
 /// The text with the changes that lead from one project to another, or nothing where the text is of
 /// a form in which they cannot be made. A mesh written out is changed as a whole; its comments are
 /// lost then. The caller reads the result back before trusting it.
-pub fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<Rendered> {
-    let source = Source { text, tree };
+pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<Rendered> {
+    let source = PatchSource { text, tree };
     let root = tree.root.unwrapped();
     let group = as_struct(root)?;
     let mut lost = false;
@@ -125,7 +125,7 @@ pub fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<R
         ("notes", &base.notes, &new.notes, true),
     ] {
         if was != is {
-            fields.change(name, Change::Set(quoted(is, lines)));
+            fields.change(name, FieldChange::Set(quoted(is, lines)));
         }
     }
     if base.display != new.display {
@@ -134,10 +134,10 @@ pub fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<R
         match root.field("display").map(|e| e.value.unwrapped()) {
             Some(node) if as_struct(node).is_some_and(|g| !g.entries.is_empty()) => {
                 let mut display = Fields::new(source, as_struct(node)?, DISPLAY_FIELDS);
-                display.change("length_unit", Change::Set(symbol.to_string()));
+                display.change("length_unit", FieldChange::Set(symbol.to_string()));
                 fields.add(display.finish()?);
             }
-            _ => fields.change("display", Change::Set(whole)),
+            _ => fields.change("display", FieldChange::Set(whole)),
         }
     }
     if base.meshes != new.meshes {
@@ -149,7 +149,7 @@ pub fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<R
             }
             None => {
                 let items: Vec<String> = new.meshes.iter().map(|m| write::mesh_use(m, 1)).collect();
-                fields.change("meshes", Change::Set(format!("[{}]", items.join(", "))));
+                fields.change("meshes", FieldChange::Set(format!("[{}]", items.join(", "))));
             }
         }
     }
@@ -168,7 +168,12 @@ fn as_list(node: &Node) -> Option<&Group> {
 }
 
 /// The changes to the meshes; tells as well whether a comment inside a changed mesh is lost.
-fn meshes(source: Source, node: &Node, base: &Project, new: &Project) -> Option<(Vec<Edit>, bool)> {
+fn meshes(
+    source: PatchSource,
+    node: &Node,
+    base: &Project,
+    new: &Project,
+) -> Option<(Vec<Edit>, bool)> {
     let list = List::new(source, as_list(node)?);
     let steps = list.indent().len() / 4;
     let mut items = Vec::with_capacity(new.meshes.len());
@@ -188,7 +193,7 @@ fn meshes(source: Source, node: &Node, base: &Project, new: &Project) -> Option<
     Some((list.edits(items)?, lost))
 }
 
-fn layouts(source: Source, node: &Node, base: &Project, new: &Project) -> Option<Vec<Edit>> {
+fn layouts(source: PatchSource, node: &Node, base: &Project, new: &Project) -> Option<Vec<Edit>> {
     let list = List::new(source, as_list(node)?);
     let mut items = Vec::with_capacity(new.layouts.len());
     for layout in &new.layouts {
@@ -210,7 +215,7 @@ fn layouts(source: Source, node: &Node, base: &Project, new: &Project) -> Option
 
 /// The changes inside one layout.
 fn one_layout(
-    source: Source,
+    source: PatchSource,
     node: &Node,
     was: &NamedLayout,
     is: &NamedLayout,
@@ -221,7 +226,7 @@ fn one_layout(
     for name in LAYOUT_FIELDS {
         let Some(present) = fields.value(name) else {
             if let Some(text) = write::layout_field(is, name, default_mesh) {
-                fields.change(name, Change::Set(text));
+                fields.change(name, FieldChange::Set(text));
             }
             continue;
         };
@@ -231,19 +236,19 @@ fn one_layout(
             continue;
         }
         let in_its_unit = is.number(name).and_then(|(si, quantity)| match &present.kind {
-            Kind::Text(text) => write::number_with_unit(si, quantity, unit_of(text)),
+            NodeKind::Text(text) => write::number_with_unit(si, quantity, unit_of(text)),
             _ => None,
         });
         fields.change(
             name,
             match (in_its_unit.or(new), *name) {
-                (Some(text), _) => Change::Set(text),
-                (None, "design_force" | "allowable_deflection" | "check") => Change::Unset,
-                (None, "note") => Change::Set("\"\"".to_string()),
-                (None, "overlay") => Change::Set("false".to_string()),
-                (None, "branch") => Change::Set(is.branch.word().to_string()),
-                (None, "ex" | "ey") => Change::Set("0.0".to_string()),
-                (None, _) => Change::Set("1.0".to_string()),
+                (Some(text), _) => FieldChange::Set(text),
+                (None, "design_force" | "allowable_deflection" | "check") => FieldChange::Unset,
+                (None, "note") => FieldChange::Set("\"\"".to_string()),
+                (None, "overlay") => FieldChange::Set("false".to_string()),
+                (None, "branch") => FieldChange::Set(is.branch.word().to_string()),
+                (None, "ex" | "ey") => FieldChange::Set("0.0".to_string()),
+                (None, _) => FieldChange::Set("1.0".to_string()),
             },
         );
     }

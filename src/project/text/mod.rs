@@ -9,7 +9,7 @@
 //! - [`scalar`]: numbers and strings, both ways.
 
 pub mod parser;
-pub mod scalar;
+pub(crate) mod scalar;
 
 /// A part of the text, in bytes; `end` is the first byte behind it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct Span {
 
 impl Span {
     /// The part from `start` to before `end`.
-    pub fn new(start: usize, end: usize) -> Self {
+    pub(crate) fn new(start: usize, end: usize) -> Self {
         Span { start, end }
     }
 
@@ -45,14 +45,14 @@ pub struct Tree {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
     /// Where it stands, from its first to its last character.
-    pub span: Span,
+    pub(crate) span: Span,
     /// What it is.
-    pub kind: Kind,
+    pub(crate) kind: NodeKind,
 }
 
 /// What a value is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
+pub enum NodeKind {
     /// A number; may be infinite or not a number.
     Number(f64),
     /// `true` or `false`.
@@ -84,52 +84,52 @@ pub enum Shape {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
     /// Kind of brackets.
-    pub shape: Shape,
+    pub(crate) shape: Shape,
     /// The word in front, as in `Some(1)`.
-    pub name: Option<String>,
+    pub(crate) name: Option<String>,
     /// What stands between the brackets, brackets excluded.
-    pub inner: Span,
+    pub(crate) inner: Span,
     /// The parts.
-    pub entries: Vec<Entry>,
+    pub(crate) entries: Vec<Entry>,
 }
 
 /// One part of a group.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// The field's name and where it stands; in a map the key's text.
-    pub key: Option<(String, Span)>,
+    pub(crate) key: Option<(String, Span)>,
     /// The value.
-    pub value: Node,
+    pub(crate) value: Node,
     /// The comma behind it.
-    pub comma: Option<Span>,
+    pub(crate) comma: Option<Span>,
 }
 
 impl Entry {
     /// From the key, or the value where there is no key, to the end of the value.
-    pub fn span(&self) -> Span {
+    pub(crate) fn span(&self) -> Span {
         let start = self.key.as_ref().map_or(self.value.span.start, |k| k.1.start);
         Span::new(start, self.value.span.end)
     }
 
     /// The end of the comma, or of the value where none follows.
-    pub fn end(&self) -> usize {
+    pub(crate) fn end(&self) -> usize {
         self.comma.map_or(self.value.span.end, |c| c.end)
     }
 }
 
 impl Node {
     /// The group, if this is one.
-    pub fn group(&self) -> Option<&Group> {
+    pub(crate) fn group(&self) -> Option<&Group> {
         match &self.kind {
-            Kind::Group(g) => Some(g),
+            NodeKind::Group(g) => Some(g),
             _ => None,
         }
     }
 
     /// The value inside `Some(...)`, or this value itself.
-    pub fn unwrapped(&self) -> &Node {
+    pub(crate) fn unwrapped(&self) -> &Node {
         match &self.kind {
-            Kind::Group(g)
+            NodeKind::Group(g)
                 if g.shape == Shape::Tuple
                     && g.name.as_deref() == Some("Some")
                     && g.entries.len() == 1 =>
@@ -141,20 +141,20 @@ impl Node {
     }
 
     /// The entry of a struct's field.
-    pub fn field(&self, name: &str) -> Option<&Entry> {
+    pub(crate) fn field(&self, name: &str) -> Option<&Entry> {
         let group = self.group()?;
         (group.shape == Shape::Struct)
             .then(|| group.entries.iter().find(|e| e.key.as_ref().is_some_and(|k| k.0 == name)))?
     }
 
     /// The entries of a list or a tuple.
-    pub fn items(&self) -> Option<&[Entry]> {
+    pub(crate) fn items(&self) -> Option<&[Entry]> {
         let group = self.group()?;
         matches!(group.shape, Shape::List | Shape::Tuple).then_some(group.entries.as_slice())
     }
 
     /// The value at a path such as `layouts[2].d`, or the nearest one above it that is there.
-    pub fn locate(&self, path: &str) -> Span {
+    pub(crate) fn locate(&self, path: &str) -> Span {
         let mut node = self;
         let mut place = self.span;
         for step in path.split(['.', '[']).map(|s| s.trim_end_matches(']')) {
@@ -174,10 +174,10 @@ impl Node {
     }
 
     /// The path of the deepest entry that covers the byte at `at`, for example `layouts[2].d`.
-    pub fn path_at(&self, at: usize) -> String {
+    pub(crate) fn path_at(&self, at: usize) -> String {
         let mut path = String::new();
         let mut node = self;
-        while let Kind::Group(group) = &node.kind {
+        while let NodeKind::Group(group) = &node.kind {
             let covers = |e: &&Entry| e.span().start <= at && at <= e.span().end;
             let Some((index, entry)) = group.entries.iter().enumerate().find(|(_, e)| covers(e))
             else {
@@ -200,7 +200,7 @@ impl Node {
 }
 
 /// Line and column of a byte, both counted from 1, the column in characters.
-pub fn line_column(text: &str, at: usize) -> (usize, usize) {
+pub(crate) fn line_column(text: &str, at: usize) -> (usize, usize) {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
         at -= 1;
@@ -212,7 +212,7 @@ pub fn line_column(text: &str, at: usize) -> (usize, usize) {
 }
 
 /// The byte at a line and column counted from 1; the end of the text if there is none.
-pub fn offset_at(text: &str, line: usize, column: usize) -> usize {
+pub(crate) fn offset_at(text: &str, line: usize, column: usize) -> usize {
     let mut start = 0;
     for _ in 1..line {
         match text[start..].find('\n') {
@@ -267,13 +267,13 @@ mod tests {
         let text = "(a: -1.5e3, b: true, c: 'x', d: b\"y\", e: r#\"z\"\"#, f: w, g: (), h: {1: 2}, i: N(3), j: '\\'')";
         let tree = parser::parse(text).unwrap();
         let kind = |name: &str| tree.root.field(name).map(|e| e.value.kind.clone());
-        assert_eq!(kind("a"), Some(Kind::Number(-1500.0)));
-        assert_eq!(kind("b"), Some(Kind::Bool(true)));
-        assert_eq!(kind("c"), Some(Kind::Other));
-        assert_eq!(kind("d"), Some(Kind::Other));
-        assert_eq!(kind("e"), Some(Kind::Text("z\"".into())));
-        assert_eq!(kind("f"), Some(Kind::Word("w".into())));
-        assert_eq!(kind("j"), Some(Kind::Other));
+        assert_eq!(kind("a"), Some(NodeKind::Number(-1500.0)));
+        assert_eq!(kind("b"), Some(NodeKind::Bool(true)));
+        assert_eq!(kind("c"), Some(NodeKind::Other));
+        assert_eq!(kind("d"), Some(NodeKind::Other));
+        assert_eq!(kind("e"), Some(NodeKind::Text("z\"".into())));
+        assert_eq!(kind("f"), Some(NodeKind::Word("w".into())));
+        assert_eq!(kind("j"), Some(NodeKind::Other));
         let shape = |name: &str| {
             let entry = tree.root.field(name)?;
             entry.value.group().map(|g| (g.shape, g.name.clone(), g.entries.len()))

@@ -2,7 +2,7 @@
 
 /// Reads a number as RON writes them: `3`, `-0.25`, `1_000`, `2.5e-1`, `0x10`, `inf`, `NaN`, each
 /// with an optional type behind it (`3.0f64`). Too large a number becomes infinite.
-pub fn number(text: &str) -> Option<f64> {
+pub(crate) fn number(text: &str) -> Option<f64> {
     let (sign, digits) = match text.as_bytes().first()? {
         b'-' => (-1.0, &text[1..]),
         b'+' => (1.0, &text[1..]),
@@ -43,7 +43,7 @@ pub fn number(text: &str) -> Option<f64> {
 ///
 /// # Errors
 /// The byte inside `raw` where an escape is wrong, and what is wrong with it.
-pub fn unescape(raw: &str) -> Result<String, (usize, String)> {
+pub(crate) fn unescape(raw: &str) -> Result<String, (usize, String)> {
     let mut out = String::with_capacity(raw.len());
     let mut chars = raw.char_indices();
     while let Some((at, c)) = chars.next() {
@@ -93,7 +93,7 @@ pub fn unescape(raw: &str) -> Result<String, (usize, String)> {
 
 /// A string as RON writes it, quotes included. Line feeds stay line feeds where `multiline` is set,
 /// so that notes read as they were typed; other control characters are always escaped.
-pub fn quoted(text: &str, multiline: bool) -> String {
+pub(crate) fn quoted(text: &str, multiline: bool) -> String {
     let mut out = String::with_capacity(text.len() + 2);
     out.push('"');
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! What two verdicts say about the difference of their cases, with its standard error.
+//! What two results say about the difference of their cases, with its standard error.
 //!
 //! Where every run of both broke, run k of one is held against run k of the other: they share
 //! alignment and slack, and the error is that of the mean of the pairs' differences. Where a run
@@ -8,34 +8,34 @@
 
 use super::utilisation;
 use crate::forecast::design::Question;
-use crate::study::verdict::Verdict;
+use crate::study::result::CheckResult;
 
 /// A change with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Known {
+pub struct KnownValue {
     /// The change.
-    pub value: f64,
+    pub(crate) value: f64,
     /// Its standard error; nothing where a single run says nothing of the scatter.
-    pub error: Option<f64>,
+    pub(crate) error: Option<f64>,
 }
 
-impl Known {
+impl KnownValue {
     /// Whether it is less than two standard errors from nothing, so that it may be chance; also where
     /// its error is not known.
-    pub fn doubtful(&self) -> bool {
+    pub(crate) fn doubtful(&self) -> bool {
         self.error.is_none_or(|error| self.value.abs() < 2.0 * error)
     }
 }
 
 /// Change from one case's check to another's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Change {
+pub struct CheckChange {
     /// Of the mean force at the first break, N.
-    pub force: Known,
+    pub force: KnownValue,
     /// Of the mean deflection at the first break, m.
-    pub deflection: Known,
+    pub deflection: KnownValue,
     /// Of the utilisation, where a design force is set; 0.01 is one per cent of the resistance.
-    pub utilisation: Option<Known>,
+    pub utilisation: Option<KnownValue>,
     /// Of the force, as a part of the first case's.
     pub force_part: f64,
     /// Of the deflection, as a part of the first case's.
@@ -44,28 +44,34 @@ pub struct Change {
     pub paired: bool,
 }
 
-/// The change from one verdict to another; nothing where no run of one of them broke.
-pub fn change(from: &Verdict, to: &Verdict, question: &Question) -> Option<Change> {
+/// The change from one result to another; nothing where no run of one of them broke.
+pub(crate) fn change(
+    from: &CheckResult,
+    to: &CheckResult,
+    question: &Question,
+) -> Option<CheckChange> {
     if !from.broke() || !to.broke() {
         return None;
     }
     let paired = paired(from, to);
-    let force = |v: &Verdict| v.breaks.iter().map(|b| b.at.force).collect::<Vec<f64>>();
-    let deflection = |v: &Verdict| v.breaks.iter().map(|b| b.at.deflection).collect::<Vec<f64>>();
+    let force = |v: &CheckResult| v.breaks.iter().map(|b| b.at.force).collect::<Vec<f64>>();
+    let deflection =
+        |v: &CheckResult| v.breaks.iter().map(|b| b.at.deflection).collect::<Vec<f64>>();
     let (forces, deflections) = ([force(from), force(to)], [deflection(from), deflection(to)]);
     let error = |values: &[Vec<f64>; 2], slopes| error_of(values, slopes, paired);
     let [before, after] = [from.force.mean, to.force.mean];
     let used = |force: f64| utilisation(question, force);
-    Some(Change {
-        force: Known { value: after - before, error: error(&forces, [1.0, 1.0]) },
-        deflection: Known {
+    Some(CheckChange {
+        force: KnownValue { value: after - before, error: error(&forces, [1.0, 1.0]) },
+        deflection: KnownValue {
             value: to.deflection.mean - from.deflection.mean,
             error: error(&deflections, [1.0, 1.0]),
         },
         // Utilisation is some load over the force: to the first order it moves by -u/F a newton.
-        utilisation: used(before)
-            .zip(used(after))
-            .map(|(u, v)| Known { value: v - u, error: error(&forces, [u / before, v / after]) }),
+        utilisation: used(before).zip(used(after)).map(|(u, v)| KnownValue {
+            value: v - u,
+            error: error(&forces, [u / before, v / after]),
+        }),
         force_part: after / before - 1.0,
         deflection_part: to.deflection.mean / from.deflection.mean - 1.0,
         paired,
@@ -73,8 +79,8 @@ pub fn change(from: &Verdict, to: &Verdict, question: &Question) -> Option<Chang
 }
 
 /// Whether the first breaks of both are those of the same runs.
-fn paired(a: &Verdict, b: &Verdict) -> bool {
-    let whole = |v: &Verdict| {
+fn paired(a: &CheckResult, b: &CheckResult) -> bool {
+    let whole = |v: &CheckResult| {
         let cut = v.warnings.iter().any(|w| w == "cancelled" || w == "diverged");
         !cut && v.slipped == 0 && v.breaks.len() == v.runs
     };
@@ -111,7 +117,7 @@ mod tests {
     use crate::study::case::{Input, example};
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
-    use crate::study::verdict::Wanted;
+    use crate::study::result::Wanted;
 
     #[test]
     fn errors_worked_by_hand() {
@@ -124,7 +130,7 @@ mod tests {
         // Alone: errors 10/sqrt 3 and 11/sqrt 3.
         assert!(close(error_of(&values, [1.0, 1.0], false), (221.0_f64 / 3.0).sqrt()));
         assert_eq!(error_of(&[vec![1.0], vec![2.0]], [1.0, 1.0], true), None);
-        let known = |value, error| Known { value, error };
+        let known = |value, error| KnownValue { value, error };
         assert!(known(1.0, Some(0.6)).doubtful() && !known(-1.3, Some(0.6)).doubtful());
         assert!(known(1.0, None).doubtful());
     }
@@ -147,7 +153,7 @@ mod tests {
         assert!(c.force.error.unwrap() > 0.0 && c.utilisation.unwrap().error.unwrap() > 0.0);
         // The same against itself: nothing moves, and that is certain.
         let none = change(a, a, &base.question).unwrap();
-        assert_eq!((none.force, none.paired), (Known { value: 0.0, error: Some(0.0) }, true));
+        assert_eq!((none.force, none.paired), (KnownValue { value: 0.0, error: Some(0.0) }, true));
         // Where a run is cut off the pairs are not known, and the errors add up.
         let mut cut = b.clone();
         cut.warnings.push("cancelled".into());

@@ -3,33 +3,37 @@
 use super::{Difference, difference, utilisation};
 use crate::forecast::Values;
 use crate::forecast::design::Question;
-use crate::study::verdict::Verdict;
+use crate::study::result::CheckResult;
 
 /// The figures of a check; without a first break there are no means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
     /// Mean force and deflection at the first break.
-    pub mean: Option<Values>,
+    pub(crate) mean: Option<Values>,
     /// Their standard errors; nothing where a single run broke.
-    pub error: Option<Values>,
+    pub(crate) error: Option<Values>,
     /// 5 % and 95 % points of the force, where a run counts.
-    pub force_band: Option<[f64; 2]>,
+    pub(crate) force_band: Option<[f64; 2]>,
     /// Likewise of the deflection.
-    pub deflection_band: Option<[f64; 2]>,
+    pub(crate) deflection_band: Option<[f64; 2]>,
     /// Utilisation by the mean force, where a design force is set.
-    pub utilisation: Option<f64>,
+    pub(crate) utilisation: Option<f64>,
     /// How far the means are from the forecast, where both are there.
-    pub difference: Option<Difference>,
+    pub(crate) difference: Option<Difference>,
 }
 
 impl Figures {
     /// Of a check beside a forecast, where there is one, for a design question.
-    pub fn of(verdict: &Verdict, forecast: Option<Values>, question: &Question) -> Figures {
-        let (force, deflection) = (&verdict.force, &verdict.deflection);
-        let several = verdict.breaks.len() > 1;
-        let counted = verdict.runs > 0;
+    pub(crate) fn of(
+        result: &CheckResult,
+        forecast: Option<Values>,
+        question: &Question,
+    ) -> Figures {
+        let (force, deflection) = (&result.force, &result.deflection);
+        let several = result.breaks.len() > 1;
+        let counted = result.runs > 0;
         let mean =
-            verdict.broke().then_some(Values { force: force.mean, deflection: deflection.mean });
+            result.broke().then_some(Values { force: force.mean, deflection: deflection.mean });
         Figures {
             mean,
             error: mean
@@ -38,7 +42,7 @@ impl Figures {
             force_band: counted.then_some(force.band),
             deflection_band: counted.then_some(deflection.band),
             utilisation: mean.and_then(|v| utilisation(question, v.force)),
-            difference: forecast.and_then(|forecast| difference(verdict, forecast)),
+            difference: forecast.and_then(|forecast| difference(result, forecast)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A campaign of checks: many cases, one after the other, each an ensemble of the anchored test.
 //!
 //! - this file: the campaign, watched from outside; it neither prints nor knows a command line.
-//! - [`change`]: what two verdicts say about the difference of their cases; [`figures`]: what one says
+//! - [`change`]: what two results say about the difference of their cases; [`figures`]: what one says
 //!   beside a forecast.
 //!
 //! All cases are asked for with one [`Wanted`], so with the same seeds: run k has the same alignment
@@ -15,14 +15,14 @@
 //! A check takes its wires from the mesh and not from the laboratory values, so there is none for
 //! another F_l* or delta_l*: see [`NoCheck::Laboratory`].
 
-pub mod change;
-pub mod figures;
+pub(crate) mod change;
+pub(crate) mod figures;
 
 use super::case::Case;
 use super::ensemble::EnsembleProgress;
-use super::verdict::make::{self, wires};
-use super::verdict::{Verdict, Wanted};
-use crate::dem::{Fidelity, Flow};
+use super::result::make::{self, wires};
+use super::result::{CheckResult, Wanted};
+use crate::dem::Flow;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
@@ -33,12 +33,7 @@ use std::collections::HashMap;
 /// ([`super::ensemble::LEAST`]) and always as many: with a number that each case decides for itself the
 /// cases would not have the same runs, and their difference would hold the noise of those that only
 /// one has.
-pub const RUNS: usize = super::ensemble::LEAST;
-
-/// What a study asks of each check where nobody says otherwise: quick, [`RUNS`] runs, seed 0.
-pub fn wanted() -> Wanted {
-    Wanted { fidelity: Fidelity::Quick, runs: Some(RUNS), seed: 0 }
-}
+pub(crate) const RUNS: usize = super::ensemble::LEAST;
 
 /// Why a case has no check.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +48,7 @@ pub enum NoCheck {
 
 impl NoCheck {
     /// Stable identifier for programs: `laboratory`, `impossible` or `not_made`.
-    pub fn code(&self) -> &'static str {
+    pub(crate) fn code(&self) -> &'static str {
         match self {
             NoCheck::Laboratory => "laboratory",
             NoCheck::Impossible(_) => "impossible",
@@ -62,7 +57,7 @@ impl NoCheck {
     }
 
     /// A word or two for a narrow column.
-    pub fn short(&self) -> &'static str {
+    pub(crate) fn short(&self) -> &'static str {
         match self {
             NoCheck::Laboratory => "none",
             NoCheck::Impossible(_) => "not possible",
@@ -71,7 +66,7 @@ impl NoCheck {
     }
 
     /// The reason as a sentence without a final stop.
-    pub fn reason(&self) -> String {
+    pub(crate) fn reason(&self) -> String {
         match self {
             NoCheck::Laboratory => {
                 "the check takes its wires from the mesh, not from the laboratory values".into()
@@ -86,42 +81,42 @@ impl NoCheck {
 }
 
 /// A case's check, or why there is none.
-pub type Answer = Result<Verdict, NoCheck>;
+pub(crate) type CheckAnswer = Result<CheckResult, NoCheck>;
 
 /// What a campaign tells while it runs.
 #[derive(Debug, Clone, Copy)]
-pub struct News<'a> {
+pub(crate) struct CaseNews<'a> {
     /// Place of the case among the cases.
     pub index: usize,
     /// Number of cases.
     pub total: usize,
     /// What there is to say of it.
-    pub what: What<'a>,
+    pub what: CaseEvent<'a>,
 }
 
 /// Of one case of a campaign.
 #[derive(Debug, Clone, Copy)]
-pub enum What<'a> {
+pub(crate) enum CaseEvent<'a> {
     /// How far its ensemble has come; told from several threads.
     Progress(EnsembleProgress),
     /// It is done; told from the thread that called, in the order of the cases.
-    Done(&'a Answer),
+    Done(&'a CheckAnswer),
 }
 
 /// Checks cases one after the other, each on so many threads; one answer a case, in their order.
 ///
 /// Cases that are equal for a check ([`make::fingerprint`]) are run once. `tell` may end the campaign:
-/// what is done is kept (an unfinished case with the runs that are whole, see [`Verdict::partial`]), the
+/// what is done is kept (an unfinished case with the runs that are whole, see [`CheckResult::partial`]), the
 /// rest is [`NoCheck::NotMade`].
-pub fn checks(
+pub(crate) fn checks(
     cases: &[Case],
     wanted: &Wanted,
     threads: usize,
-    tell: &(dyn Fn(News) -> Flow + Sync),
-) -> Vec<Answer> {
+    tell: &(dyn Fn(CaseNews) -> Flow + Sync),
+) -> Vec<CheckAnswer> {
     let total = cases.len();
     let mut made: HashMap<Fingerprint, usize> = HashMap::new();
-    let mut answers: Vec<Answer> = Vec::with_capacity(total);
+    let mut answers: Vec<CheckAnswer> = Vec::with_capacity(total);
     for (index, case) in cases.iter().enumerate() {
         let before = inputs(case, wanted).and_then(|inputs| match made.get(&inputs) {
             Some(place) => answers.get(*place).cloned(),
@@ -131,14 +126,14 @@ pub fn checks(
             }
         });
         let progress =
-            |now: EnsembleProgress| tell(News { index, total, what: What::Progress(now) });
+            |now: EnsembleProgress| tell(CaseNews { index, total, what: CaseEvent::Progress(now) });
         let answer = before.unwrap_or_else(|| one(case, wanted, threads, &progress));
         // One that was cut short is the last: the callback has asked for the end.
         let short = match &answer {
-            Ok(verdict) => verdict.partial(),
+            Ok(result) => result.partial(),
             Err(why) => *why == NoCheck::NotMade,
         };
-        let flow = tell(News { index, total, what: What::Done(&answer) });
+        let flow = tell(CaseNews { index, total, what: CaseEvent::Done(&answer) });
         answers.push(answer);
         if short || flow == Flow::Cancel {
             break;
@@ -149,7 +144,7 @@ pub fn checks(
 }
 
 /// Fingerprint of a case's check; nothing where its mesh has no wires.
-pub fn inputs(case: &Case, wanted: &Wanted) -> Option<Fingerprint> {
+pub(crate) fn inputs(case: &Case, wanted: &Wanted) -> Option<Fingerprint> {
     let wire = wires(&case.mesh).ok()?;
     Some(make::fingerprint(&case.layout, wire, wanted))
 }
@@ -159,56 +154,57 @@ fn one(
     wanted: &Wanted,
     threads: usize,
     progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
-) -> Answer {
+) -> CheckAnswer {
     let tell = |told: make::Told| match told {
         make::Told::Progress(now) => progress(now),
         make::Told::Finished(..) => Flow::Continue,
     };
     let made = make::make(&case.layout, &case.mesh, wanted, threads, &tell)
         .map_err(NoCheck::Impossible)?;
-    if made.verdict.partial() && made.verdict.runs == 0 {
+    if made.result.partial() && made.result.runs == 0 {
         return Err(NoCheck::NotMade);
     }
-    Ok(made.verdict)
+    Ok(made.result)
 }
 
 /// Utilisation of a panel that holds `force` (N), where a design force is set: as of a forecast,
 /// gamma_load times the design force over the force over gamma_resistance.
-pub fn utilisation(question: &Question, force: f64) -> Option<f64> {
+pub(crate) fn utilisation(question: &Question, force: f64) -> Option<f64> {
     let load = question.gamma_load * question.force?;
     (force > 0.0).then(|| load * question.gamma_resistance / force)
 }
 
 /// How far a check's means are from a forecast, as parts of the forecast: 0.05 is 5 % above it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// Of the force at failure.
-    pub force: f64,
+    pub(crate) force: f64,
     /// Of the deflection at failure.
-    pub deflection: f64,
+    pub(crate) deflection: f64,
 }
 
 /// The difference of a check from a forecast; nothing where no run broke.
-pub fn difference(verdict: &Verdict, forecast: Values) -> Option<Difference> {
-    verdict.broke().then(|| Difference {
-        force: verdict.force.mean / forecast.force - 1.0,
-        deflection: verdict.deflection.mean / forecast.deflection - 1.0,
+pub(crate) fn difference(result: &CheckResult, forecast: Values) -> Option<Difference> {
+    result.broke().then(|| Difference {
+        force: result.force.mean / forecast.force - 1.0,
+        deflection: result.deflection.mean / forecast.deflection - 1.0,
     })
 }
 
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::dem::Fidelity;
     use crate::layout::{Layout, REFERENCE};
     use crate::study::case::{Input, example};
     use std::sync::Mutex;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     /// A panel that is checked in a few milliseconds a run.
-    pub const SMALL: Layout = Layout { spacing: 1.3, punch: 0.4, ..REFERENCE };
+    pub(crate) const SMALL: Layout = Layout { spacing: 1.3, punch: 0.4, ..REFERENCE };
 
     /// Two quick runs.
-    pub fn two() -> Wanted {
+    pub(crate) fn two() -> Wanted {
         Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 }
     }
 
@@ -225,8 +221,8 @@ pub(super) mod tests {
         let answers = checks(&cases, &two(), 2, &|news| {
             assert_eq!(news.total, 4);
             match news.what {
-                What::Done(answer) => done.lock().unwrap().push((news.index, answer.clone())),
-                What::Progress(_) => {
+                CaseEvent::Done(answer) => done.lock().unwrap().push((news.index, answer.clone())),
+                CaseEvent::Progress(_) => {
                     assert!(news.index < 2, "case {} is not run", news.index);
                     progress.fetch_add(1, Ordering::Relaxed);
                 }
@@ -238,7 +234,7 @@ pub(super) mod tests {
         assert_eq!(done.iter().map(|d| d.0).collect::<Vec<_>>(), [0, 1, 2, 3]);
         assert!(done.iter().zip(&answers).all(|(told, kept)| told.1 == *kept));
         let alone = make::make(&SMALL, &base.mesh, &two(), 1, &|_| Flow::Continue).unwrap();
-        assert_eq!(answers[0], Ok(alone.verdict), "the check of one thread, to the last bit");
+        assert_eq!(answers[0], Ok(alone.result), "the check of one thread, to the last bit");
         assert_eq!(answers[2], answers[0], "the laboratory's force is no input of a check");
         assert_ne!(answers[1], answers[0]);
         let why = answers[3].as_ref().unwrap_err();
@@ -250,14 +246,14 @@ pub(super) mod tests {
         let base = example(SMALL, None);
         let cases = [base.clone(), base.with(Input::Plate, 0.3), base.with(Input::Plate, 0.35)];
         let answers = checks(&cases, &two(), 1, &|news| match news.what {
-            What::Done(_) if news.index == 1 => Flow::Cancel,
+            CaseEvent::Done(_) if news.index == 1 => Flow::Cancel,
             _ => Flow::Continue,
         });
         assert!(answers[..2].iter().all(Result::is_ok));
         assert_eq!(answers[2], Err(NoCheck::NotMade));
         // In the middle of a case's first run nothing of it is whole.
         let answers = checks(&cases, &two(), 1, &|news| match news.what {
-            What::Progress(_) if news.index == 1 => Flow::Cancel,
+            CaseEvent::Progress(_) if news.index == 1 => Flow::Cancel,
             _ => Flow::Continue,
         });
         assert!(answers[0].is_ok() && answers[1..].iter().all(|a| *a == Err(NoCheck::NotMade)));

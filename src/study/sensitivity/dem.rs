@@ -6,14 +6,14 @@
 
 use super::{Effect, ends};
 use crate::study::case::{Case, Input};
-use crate::study::checks::change::{Change, Known, change};
-use crate::study::checks::{Answer, NoCheck};
+use crate::study::checks::change::{CheckChange, KnownValue, change};
+use crate::study::checks::{CheckAnswer, NoCheck};
 
 /// How the checked values of a case move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckedSensitivity {
     /// The case itself.
-    pub base: Answer,
+    pub base: CheckAnswer,
     /// One for each input, in the order of [`Input::ALL`].
     pub bars: Vec<CheckedBar>,
 }
@@ -37,14 +37,14 @@ pub struct CheckedStep {
     /// The value that it is moved to, m or N.
     pub value: f64,
     /// The check there, or why there is none.
-    pub answer: Answer,
+    pub answer: CheckAnswer,
     /// Change against the case; nothing where either has no first break.
-    pub change: Option<Change>,
+    pub change: Option<CheckChange>,
 }
 
-impl Change {
+impl CheckChange {
     /// The change of one value.
-    pub fn of(&self, effect: Effect) -> Option<Known> {
+    pub(crate) fn of(&self, effect: Effect) -> Option<KnownValue> {
         match effect {
             Effect::Force => Some(self.force),
             Effect::Deflection => Some(self.deflection),
@@ -55,7 +55,7 @@ impl Change {
 
 impl CheckedBar {
     /// The larger change of the two steps, without its sign; 0 where neither is known.
-    pub fn largest(&self, effect: Effect) -> f64 {
+    pub(crate) fn largest(&self, effect: Effect) -> f64 {
         let size = |s: &CheckedStep| {
             s.change.and_then(|c| c.of(effect)).map_or(0.0, |known| known.value.abs())
         };
@@ -65,14 +65,14 @@ impl CheckedBar {
 
 impl CheckedSensitivity {
     /// The bars by falling effect; equal ones in the order of [`Input::ALL`].
-    pub fn by(&self, effect: Effect) -> Vec<&CheckedBar> {
+    pub(crate) fn by(&self, effect: Effect) -> Vec<&CheckedBar> {
         let mut bars: Vec<&CheckedBar> = self.bars.iter().collect();
         bars.sort_by(|a, b| b.largest(effect).total_cmp(&a.largest(effect)));
         bars
     }
 
     /// The bar of an input.
-    pub fn bar(&self, input: Input) -> Option<&CheckedBar> {
+    pub(crate) fn bar(&self, input: Input) -> Option<&CheckedBar> {
         self.bars.iter().find(|bar| bar.input == input)
     }
 }
@@ -84,14 +84,14 @@ fn checked() -> impl Iterator<Item = Input> {
 
 /// The eleven cases to check: the case itself, then for each input that a check knows one step down
 /// and one step up.
-pub fn cases(case: &Case) -> Vec<Case> {
+pub(crate) fn cases(case: &Case) -> Vec<Case> {
     let moved = checked().flat_map(|input| ends(case, input).map(|value| case.with(input, value)));
     std::iter::once(case.clone()).chain(moved).collect()
 }
 
 /// Puts the answers to [`cases`] together, in their order; those that are not there yet are
 /// [`NoCheck::NotMade`], so a part of them is good for a part of the tornado.
-pub fn assemble(case: &Case, answers: &[Answer]) -> CheckedSensitivity {
+pub(crate) fn assemble(case: &Case, answers: &[CheckAnswer]) -> CheckedSensitivity {
     let mut answers = answers.iter().cloned();
     let mut next = || answers.next().unwrap_or(Err(NoCheck::NotMade));
     let base = next();

@@ -6,19 +6,19 @@
 //!
 //! - [`dem`]: the same by checks; [`scale`]: changes as texts that stand under each other.
 
-pub mod dem;
-pub mod scale;
+pub(crate) mod dem;
+pub(crate) mod scale;
 
-use crate::study::case::{Case, Input, Outcome};
+use crate::study::case::{Case, CaseValue, Input};
 use crate::units::without_noise;
 
 /// Step of d, L, D, F_l* and delta_l* as a part of the value.
-pub const RELATIVE_STEP: f64 = 0.1;
+pub(crate) const RELATIVE_STEP: f64 = 0.1;
 /// Step of ex and ey as a part of the spacing L.
-pub const OFFSET_STEP: f64 = 0.05;
+pub(crate) const OFFSET_STEP: f64 = 0.05;
 
 /// Size of an input's step in a case, m or N, above 0.
-pub fn step(case: &Case, input: Input) -> f64 {
+pub(crate) fn step(case: &Case, input: Input) -> f64 {
     if input.is_offset() {
         OFFSET_STEP * case.layout.spacing
     } else {
@@ -28,7 +28,7 @@ pub fn step(case: &Case, input: Input) -> f64 {
 
 /// The value of an input one step down and one step up, m or N, without the noise of the product, so
 /// that D = 1.1 d is met where it is meant.
-pub fn ends(case: &Case, input: Input) -> [f64; 2] {
+pub(crate) fn ends(case: &Case, input: Input) -> [f64; 2] {
     let (value, step) = (input.value(case), step(case, input));
     [without_noise(value - step), without_noise(value + step)]
 }
@@ -46,7 +46,7 @@ pub fn cases(case: &Case) -> Vec<Case> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
     /// The case itself.
-    pub base: Outcome,
+    pub base: CaseValue,
     /// One for each input, in the order of [`Input::ALL`].
     pub bars: Vec<Bar>,
 }
@@ -70,7 +70,7 @@ pub struct Step {
     /// The value that it is moved to, m or N.
     pub value: f64,
     /// What the case gives there, or why the step is not possible.
-    pub outcome: Outcome,
+    pub outcome: CaseValue,
     /// Change against the case; nothing where either has no values.
     pub change: Option<Change>,
 }
@@ -105,7 +105,7 @@ pub enum Effect {
 
 impl Change {
     /// The change of one value.
-    pub fn of(&self, effect: Effect) -> Option<f64> {
+    pub(crate) fn of(&self, effect: Effect) -> Option<f64> {
         match effect {
             Effect::Force => Some(self.force),
             Effect::Deflection => Some(self.deflection),
@@ -116,7 +116,7 @@ impl Change {
 
 impl Bar {
     /// The larger change of the two steps, without its sign; 0 where neither is possible.
-    pub fn largest(&self, effect: Effect) -> f64 {
+    pub(crate) fn largest(&self, effect: Effect) -> f64 {
         let size = |s: &Step| s.change.and_then(|c| c.of(effect)).map_or(0.0, f64::abs);
         size(&self.lowered).max(size(&self.raised))
     }
@@ -124,7 +124,7 @@ impl Bar {
 
 impl Sensitivity {
     /// The bars by falling effect, as a tornado shows them; equal ones in the order of [`Input::ALL`].
-    pub fn by(&self, effect: Effect) -> Vec<&Bar> {
+    pub(crate) fn by(&self, effect: Effect) -> Vec<&Bar> {
         let mut bars: Vec<&Bar> = self.bars.iter().collect();
         bars.sort_by(|a, b| b.largest(effect).total_cmp(&a.largest(effect)));
         bars
@@ -149,7 +149,7 @@ pub fn sensitivity(case: &Case) -> Sensitivity {
     Sensitivity { base, bars }
 }
 
-fn change(base: &Outcome, moved: &Outcome) -> Option<Change> {
+fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
     let (Ok(base), Ok(moved)) = (base, moved) else { return None };
     let (from, to) = (base.values(), moved.values());
     Some(Change {

@@ -2,13 +2,13 @@
 
 use super::Grid;
 use crate::study::case::Case;
-use crate::study::checks::{Answer, NoCheck};
+use crate::study::checks::{CheckAnswer, NoCheck};
 
 /// The cases of a grid, in the order of [`Grid::at`].
 ///
 /// # Errors
 /// A laboratory value is varied, which a check does not know.
-pub fn cases(base: &Case, grid: &Grid) -> Result<Vec<Case>, NoCheck> {
+pub(crate) fn cases(base: &Case, grid: &Grid) -> Result<Vec<Case>, NoCheck> {
     let mut axes = std::iter::once(&grid.first).chain(&grid.second);
     if axes.any(|axis| axis.input.is_laboratory()) {
         return Err(NoCheck::Laboratory);
@@ -18,9 +18,9 @@ pub fn cases(base: &Case, grid: &Grid) -> Result<Vec<Case>, NoCheck> {
 
 /// Smallest and largest of the bands of the force at the points that have one, N: what a chart of them
 /// must show; nothing where none has.
-pub fn extent(answers: &[Answer]) -> Option<(f64, f64)> {
-    answers.iter().flatten().filter(|v| v.runs > 0).fold(None, |extent, verdict| {
-        let [low, high] = verdict.force.band;
+pub(crate) fn extent(answers: &[CheckAnswer]) -> Option<(f64, f64)> {
+    answers.iter().flatten().filter(|v| v.runs > 0).fold(None, |extent, result| {
+        let [low, high] = result.force.band;
         let (least, most) = extent.unwrap_or((low, high));
         Some((least.min(low), most.max(high)))
     })
@@ -33,11 +33,11 @@ mod tests {
     use crate::study::case::{Input, example};
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
-    use crate::study::sweep::Axis;
+    use crate::study::sweep::SweepAxis;
 
     #[test]
     fn points_are_the_grids_cases_and_laboratory_values_have_none() {
-        let axis = |input, from, to| Axis { input, from, to, steps: 2 };
+        let axis = |input, from, to| SweepAxis { input, from, to, steps: 2 };
         let base = example(SMALL, None);
         let grid =
             Grid::new(axis(Input::Plate, 0.3, 0.35), Some(axis(Input::Punch, 0.4, 1.35))).unwrap();

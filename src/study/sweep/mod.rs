@@ -2,21 +2,21 @@
 //!
 //! - [`dem`]: the same by checks.
 
-pub mod dem;
+pub(crate) mod dem;
 
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::problem::Problem;
-use crate::study::case::{Case, Input, Outcome};
+use crate::study::case::{Case, CaseValue, Input};
 use crate::units::without_noise;
 
 /// Most values of one axis.
-pub const MOST_VALUES: usize = 100_000;
+pub(crate) const MOST_VALUES: usize = 100_000;
 /// Most points of a sweep.
-pub const MOST_POINTS: usize = 1_000_000;
+pub(crate) const MOST_POINTS: usize = 1_000_000;
 
 /// A range of one input.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
+pub struct SweepAxis {
     /// The input.
     pub input: Input,
     /// First value, m or N.
@@ -27,10 +27,10 @@ pub struct Axis {
     pub steps: usize,
 }
 
-impl Axis {
+impl SweepAxis {
     /// The values in order, m or N, without the noise of the division, so that a value on which
     /// something hangs (D = d) is met where it is meant. The ends are exact.
-    pub fn values(&self) -> Vec<f64> {
+    pub(crate) fn values(&self) -> Vec<f64> {
         let last = self.steps.saturating_sub(1).max(1);
         (0..self.steps)
             .map(|i| match i {
@@ -49,7 +49,7 @@ impl Axis {
     ///
     /// # Errors
     /// What is wrong, by the fields `from`, `to` and `steps`.
-    pub fn check(&self) -> Result<(), Vec<Problem>> {
+    pub(crate) fn check(&self) -> Result<(), Vec<Problem>> {
         let end = |name: &str, value| {
             let found = self.input.problem(value);
             found.map(|p| Problem { field: name.to_string(), ..p })
@@ -78,13 +78,13 @@ impl Axis {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// The first input, along a row.
-    pub first: Axis,
+    pub(crate) first: SweepAxis,
     /// The second input, from row to row, where there is one.
-    pub second: Option<Axis>,
+    pub(crate) second: Option<SweepAxis>,
     /// Values of the first, m or N.
-    pub columns: Vec<f64>,
+    pub(crate) columns: Vec<f64>,
     /// Values of the second, m or N; empty where there is none.
-    pub rows: Vec<f64>,
+    pub(crate) rows: Vec<f64>,
 }
 
 impl Grid {
@@ -92,10 +92,10 @@ impl Grid {
     ///
     /// # Errors
     /// What is wrong with the axes, by `first.from` and so on.
-    pub fn new(first: Axis, second: Option<Axis>) -> Result<Grid, Vec<Problem>> {
+    pub fn new(first: SweepAxis, second: Option<SweepAxis>) -> Result<Grid, Vec<Problem>> {
         let mut problems = Vec::new();
         for (axis, name) in [(Some(&first), "first"), (second.as_ref(), "second")] {
-            if let Some(Err(found)) = axis.map(Axis::check) {
+            if let Some(Err(found)) = axis.map(SweepAxis::check) {
                 problems.extend(found.into_iter().map(|p| p.under(name)));
             }
         }
@@ -124,18 +124,13 @@ impl Grid {
     }
 
     /// Number of points.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.columns.len() * self.rows.len().max(1)
-    }
-
-    /// Whether there are none; a grid that was made has four or more, or a line two or more.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// The values of point `index`: of the first input, and of the second where there is one. Points
     /// run along the first input, row after row.
-    pub fn at(&self, index: usize) -> (f64, Option<f64>) {
+    pub(crate) fn at(&self, index: usize) -> (f64, Option<f64>) {
         let column = self.columns.len().max(1);
         (self.columns[index % column], self.rows.get(index / column).copied())
     }
@@ -156,7 +151,7 @@ impl Grid {
     }
 
     /// Fingerprint of the sweep of a case: of the case's inputs and of the axes.
-    pub fn fingerprint(&self, base: &Case) -> Fingerprint {
+    pub(crate) fn fingerprint(&self, base: &Case) -> Fingerprint {
         let mut of = Fingerprinter::new("sweep")
             .text(&base.fingerprint().to_string())
             .flag(self.second.is_some());
@@ -177,7 +172,7 @@ pub struct Sweep {
     /// Where its points are.
     pub grid: Grid,
     /// What each point gives, in the order of [`Grid::at`].
-    pub points: Vec<Outcome>,
+    pub points: Vec<CaseValue>,
 }
 
 /// Sweeps a case over a grid by the forecast.
@@ -194,9 +189,9 @@ pub fn sweep(base: &Case, grid: Grid) -> Sweep {
 }
 
 /// Smallest and largest of what is read from the points that have values; nothing where none has.
-pub fn extent(
-    points: &[Outcome],
-    read: impl Fn(&crate::study::case::Point) -> Option<f64>,
+pub(crate) fn extent(
+    points: &[CaseValue],
+    read: impl Fn(&crate::study::case::CasePoint) -> Option<f64>,
 ) -> Option<(f64, f64)> {
     points.iter().flatten().filter_map(read).fold(None, |extent, value| {
         let (least, most) = extent.unwrap_or((value, value));
@@ -210,8 +205,8 @@ mod tests {
     use crate::layout::REFERENCE;
     use crate::study::case::{NoValue, example as case};
 
-    fn axis(input: Input, from: f64, to: f64, steps: usize) -> Axis {
-        Axis { input, from, to, steps }
+    fn axis(input: Input, from: f64, to: f64, steps: usize) -> SweepAxis {
+        SweepAxis { input, from, to, steps }
     }
 
     #[test]
@@ -274,7 +269,7 @@ mod tests {
         assert!(said(good, Some(good))[0].starts_with("second = L: both ranges are of the same"));
         assert!(said(axis(Input::LabForce, 5e4, 5e4, 2), None)[0].contains("first.to = 50.0 kN"));
         let many = axis(Input::Punch, 0.5, 1.0, MOST_VALUES);
-        assert!(said(Axis { steps: 11, ..good }, Some(many))[0].contains("1100000 points"));
+        assert!(said(SweepAxis { steps: 11, ..good }, Some(many))[0].contains("1100000 points"));
     }
 
     /// Laboratory values scale the forecast whatever the order of points.

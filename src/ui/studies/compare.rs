@@ -1,12 +1,12 @@
 //! All layouts in a table that can be sorted, and their curves in one chart.
 
-use super::super::canvas::{Canvas, Pattern, Pen};
+use super::super::canvas::{Canvas, DotPen, Pattern};
 use super::super::layouts::first_shown;
 use super::super::text::{below, cut, heading, put, put_right, width};
 use super::super::theme::Theme;
 use super::plot::{self, Plot};
 use crate::app::App;
-use crate::app::studies::compare::{Head, View};
+use crate::app::studies::compare::{ColumnHead, CompareView};
 use crate::forecast::rescaled;
 use crate::forecast::warning::Weight;
 use crate::study::case::NoValue;
@@ -23,7 +23,7 @@ const NARROW: u16 = 60;
 const POINTS: usize = 61;
 
 /// Draws the page: table above, curves below, or beside each other where there is room.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let Some(view) = app.comparison() else { return };
     let title = match app.comparison_sort() {
         Some((head, falling)) => {
@@ -54,10 +54,10 @@ fn way(falling: bool) -> &'static str {
 }
 
 /// Word and unit of a column.
-fn title(head: Head, unit: LengthUnit) -> (&'static str, &'static str) {
+fn title(head: ColumnHead, unit: LengthUnit) -> (&'static str, &'static str) {
     let m = unit.symbol();
     match head {
-        Head::Of(column) => match column {
+        ColumnHead::Of(column) => match column {
             Column::Name => ("layout", ""),
             Column::Mesh => ("mesh", ""),
             Column::Plate => ("d", m),
@@ -73,24 +73,26 @@ fn title(head: Head, unit: LengthUnit) -> (&'static str, &'static str) {
             Column::DesignDeflection => ("at Fd", m),
             Column::Warnings => ("warn", ""),
         },
-        Head::DemForce => ("DEM F", "kN"),
-        Head::DemOverForce => ("/F_a", "%"),
-        Head::DemDeflection => ("DEM d", m),
-        Head::DemOverDeflection => ("/d_a", "%"),
-        Head::DemUtilisation => ("DEM u", "%"),
+        ColumnHead::DemForce => ("DEM F", "kN"),
+        ColumnHead::DemOverForce => ("/F_a", "%"),
+        ColumnHead::DemDeflection => ("DEM d", m),
+        ColumnHead::DemOverDeflection => ("/d_a", "%"),
+        ColumnHead::DemUtilisation => ("DEM u", "%"),
     }
 }
 
-fn columns_of(head: Head) -> u16 {
+fn columns_of(head: ColumnHead) -> u16 {
     match head {
-        Head::Of(Column::Mesh) => 18,
-        Head::Of(Column::Force | Column::Deflection) | Head::DemForce | Head::DemDeflection => 7,
+        ColumnHead::Of(Column::Mesh) => 18,
+        ColumnHead::Of(Column::Force | Column::Deflection)
+        | ColumnHead::DemForce
+        | ColumnHead::DemDeflection => 7,
         _ => 6,
     }
 }
 
 /// What stands in a cell.
-fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
+fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> String {
     let Some(r) = view.comparison.rows.get(row) else { return String::new() };
     let none = || "-".to_string();
     let size = |v: f64| match unit {
@@ -107,7 +109,7 @@ fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
     let checked = view.checked.get(row).and_then(|c| c.as_ref());
     let forecast = r.forecast.as_ref().ok();
     match head {
-        Head::Of(column) => match column {
+        ColumnHead::Of(column) => match column {
             Column::Name => r.name.clone(),
             Column::Mesh => r.case.mesh.id.clone(),
             Column::Plate => size(l.plate),
@@ -130,7 +132,7 @@ fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
             }
             Column::Warnings => r.weight().map_or_else(none, |w| w.word().into()),
         },
-        Head::DemForce => match (checked, view.number(row, head)) {
+        ColumnHead::DemForce => match (checked, view.number(row, head)) {
             (None, _) => none(),
             (Some(_), None) => "none".into(),
             (Some(c), Some(v)) => {
@@ -142,23 +144,23 @@ fn cell(view: &View, row: usize, head: Head, unit: LengthUnit) -> String {
                 kn(v) + mark
             }
         },
-        Head::DemDeflection => view.number(row, head).map_or_else(none, deflection),
-        Head::DemUtilisation => view.number(row, head).map_or_else(none, percent),
-        Head::DemOverForce | Head::DemOverDeflection => match checked {
+        ColumnHead::DemDeflection => view.number(row, head).map_or_else(none, deflection),
+        ColumnHead::DemUtilisation => view.number(row, head).map_or_else(none, percent),
+        ColumnHead::DemOverForce | ColumnHead::DemOverDeflection => match checked {
             Some(c) if c.stale => "stale".into(),
             _ => view.number(row, head).map_or_else(none, |v| format!("{:+.1}", 100.0 * v)),
         },
     }
 }
 
-fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn table(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let unit = app.units();
     let name = if area.width >= 70 { 13 } else { 10 };
     let sort = app.comparison_sort();
     // As many columns behind the name as fit.
-    let mut shown: Vec<(Head, u16)> = Vec::new();
+    let mut shown: Vec<(ColumnHead, u16)> = Vec::new();
     let mut end = 4 + name;
-    let mut heads = Head::ALL[1..].to_vec();
+    let mut heads = ColumnHead::ALL[1..].to_vec();
     if area.width < NARROW {
         // Where a few columns fit, the answers come before the inputs.
         heads.rotate_left(5);
@@ -170,11 +172,11 @@ fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         shown.push((*head, end));
     }
-    let head_style = |head: Head| match sort {
+    let head_style = |head: ColumnHead| match sort {
         Some((by, _)) if by == head => theme.selected,
         _ => theme.heading,
     };
-    put(buf, area, 0, 4, "layout", head_style(Head::Of(Column::Name)));
+    put(buf, area, 0, 4, "layout", head_style(ColumnHead::Of(Column::Name)));
     for (head, end) in &shown {
         let (word, symbol) = title(*head, unit);
         let part = Rect { width: *end, ..area };
@@ -204,7 +206,7 @@ fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
         let letter = view.letter(*row).unwrap_or(' ');
         let star = if governs { "*" } else { " " };
         put(buf, list, line, 0, &format!("{sign}{letter}{star}"), style);
-        let text = cell(view, *row, Head::Of(Column::Name), unit);
+        let text = cell(view, *row, ColumnHead::Of(Column::Name), unit);
         let doubt = view.comparison.rows.get(*row).and_then(|r| r.weight());
         let mark = if doubt >= Some(Weight::Caution) { "!" } else { "" };
         let text = format!("{}{mark}", cut(&text, usize::from(name) - 1));
@@ -225,7 +227,7 @@ fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// Which layout governs, and by what.
-fn governing(view: &View) -> String {
+fn governing(view: &CompareView) -> String {
     let left = match view.unknown {
         0 => String::new(),
         n => format!("; {n} left out, mesh not known"),
@@ -245,7 +247,7 @@ fn governing(view: &View) -> String {
 }
 
 /// The rows whose curves are drawn: the marked one and the first of the others.
-fn drawn(app: &App, view: &View) -> Vec<usize> {
+fn drawn(app: &App, view: &CompareView) -> Vec<usize> {
     let marked = |row: &usize| view.layouts.get(*row) == Some(&app.comparison_marked());
     let has = |row: &usize| view.comparison.rows.get(*row).is_some_and(|r| r.values().is_ok());
     let others = view.order.iter().filter(|r| !marked(r) && has(r)).take(CURVES - 1);
@@ -254,7 +256,7 @@ fn drawn(app: &App, view: &View) -> Vec<usize> {
     all
 }
 
-fn legend(view: &View) -> String {
+fn legend(view: &CompareView) -> String {
     let count = view.comparison.rows.iter().filter(|r| r.values().is_ok()).count();
     match count {
         0 => "no layout has a value".into(),
@@ -263,7 +265,7 @@ fn legend(view: &View) -> String {
     }
 }
 
-fn curves(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let per_metre = app.units().per_metre();
     let rows = drawn(app, view);
     let values: Vec<_> = rows
@@ -285,9 +287,9 @@ fn curves(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
         let letter = view.letter(*row).unwrap_or('?');
         let pattern = [(6, 2), (3, 3), (8, 2), (2, 2), (5, 4)][place % 5];
         let pen = if marked(*row) {
-            Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None }
+            DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: None }
         } else {
-            Pen {
+            DotPen {
                 style: theme.overlay,
                 pattern: Pattern::Dashed(pattern.0, pattern.1),
                 ascii: Some(letter.to_ascii_lowercase()),

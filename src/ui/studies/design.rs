@@ -8,10 +8,10 @@ use super::sweep::figures_text;
 use super::{nothing, plan};
 use crate::app::App;
 use crate::app::look::Glyphs;
-use crate::app::studies::design::{Kind, Line, View};
-use crate::study::case::{Input, NoValue, Outcome, Point, input_value};
+use crate::app::studies::design::{DesignKind, DesignLine, DesignView};
+use crate::study::case::{CasePoint, CaseValue, Input, NoValue, input_value};
 use crate::study::checks::figures::Figures;
-use crate::study::solve::{Kind as At, Requirement, Solution};
+use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, percent, shortest, significant, to_kn,
 };
@@ -26,7 +26,7 @@ const RANGE: usize = 20;
 const CHART: u16 = 6;
 
 /// Draws the page.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let name = &app.layout().name;
     let Some(view) = app.design() else {
         heading(buf, area, &format!("design of {name}"), "", theme);
@@ -98,7 +98,7 @@ fn charted(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// What the arrows go through.
-fn asked(view: &View) -> String {
+fn asked(view: &DesignView) -> String {
     let words = view.asked.iter().map(|r| {
         if Some(*r) == view.requirement { format!("[{}]", r.word()) } else { r.word().to_string() }
     });
@@ -106,7 +106,7 @@ fn asked(view: &View) -> String {
 }
 
 /// Design values with their factors, and what the layout answers.
-fn question(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)> {
     let unit = app.units();
     let m = |v: f64| length_text(v, unit);
     let q = &view.case.question;
@@ -179,7 +179,7 @@ fn no_value(why: &NoValue) -> String {
 }
 
 /// The list: two lines an entry.
-fn solved(app: &App, view: &View, list: Rect, buf: &mut Buffer, theme: &Theme) {
+fn solved(app: &App, view: &DesignView, list: Rect, buf: &mut Buffer, theme: &Theme) {
     let unit = app.units();
     let entries = usize::from(list.height / 2).max(1);
     let first = super::super::layouts::first_shown(view.marked, entries, view.lines.len());
@@ -205,28 +205,28 @@ fn solved(app: &App, view: &View, list: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// The value that a line offers.
-fn offer(line: &Line, unit: LengthUnit) -> String {
+fn offer(line: &DesignLine, unit: LengthUnit) -> String {
     match &line.kind {
-        Kind::Take { crossing, value, .. } => {
+        DesignKind::Take { crossing, value, .. } => {
             let side = if crossing.met_above { "or more" } else { "or less" };
             format!("{} {} {side}", input_value(line.input, *value, unit), unit.symbol())
         }
-        Kind::Always => "any of the range".into(),
-        Kind::Never(_) => "NONE of the range".into(),
+        DesignKind::Always => "any of the range".into(),
+        DesignKind::Never(_) => "NONE of the range".into(),
     }
 }
 
 /// What a line gives.
 fn gives(
-    line: &Line,
+    line: &DesignLine,
     solution: Option<&Solution>,
-    view: &View,
+    view: &DesignView,
     unit: LengthUnit,
     theme: &Theme,
 ) -> (String, Style) {
     let now = format!("now {}", input_value(line.input, line.input.value(&view.case), unit));
     match &line.kind {
-        Kind::Take { crossing, outcome, .. } => {
+        DesignKind::Take { crossing, outcome, .. } => {
             let how = match crossing.kind {
                 At::Exact => "",
                 At::Jump => "; F jumps there (A.1-A.2)",
@@ -236,20 +236,20 @@ fn gives(
             if let Some(f) = &line.figures {
                 text = format!("{now}; gives {}; DEM {}", short(outcome, unit), dem(f, unit));
             }
-            let doubtful = outcome.as_ref().is_ok_and(Point::doubtful);
+            let doubtful = outcome.as_ref().is_ok_and(CasePoint::doubtful);
             if doubtful {
                 text.push_str(" !");
             }
             (text, theme.text)
         }
-        Kind::Always => {
+        DesignKind::Always => {
             let ends = solution.map_or(String::new(), |s| {
                 let ends = s.ends.iter().map(|e| at(line.input, e.value, &e.outcome, unit));
                 ends.collect::<Vec<_>>().join("; ")
             });
             (format!("{now}; {ends}"), theme.text)
         }
-        Kind::Never(best) => {
+        DesignKind::Never(best) => {
             let nearest = best.as_ref().map_or("no value anywhere".to_string(), |b| {
                 format!("nearest: {}", at(line.input, b.value, &b.outcome, unit))
             });
@@ -265,12 +265,12 @@ fn dem(f: &Figures, unit: LengthUnit) -> String {
     format!("F {force} kN, {}{used}", length_text(mean.deflection, unit))
 }
 
-fn at(input: Input, value: f64, outcome: &Outcome, unit: LengthUnit) -> String {
+fn at(input: Input, value: f64, outcome: &CaseValue, unit: LengthUnit) -> String {
     format!("at {} {}", input_value(input, value, unit), short(outcome, unit))
 }
 
 /// Force and use, or why there are none.
-fn short(outcome: &Outcome, unit: LengthUnit) -> String {
+fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
     match outcome {
         Ok(p) => match p.utilisation() {
             Some(u) => format!("{}, use {} %", force_text(p.values().force), percent(u)),
@@ -284,7 +284,7 @@ fn short(outcome: &Outcome, unit: LengthUnit) -> String {
     }
 }
 
-fn outcome_text(outcome: &Outcome, unit: LengthUnit) -> String {
+fn outcome_text(outcome: &CaseValue, unit: LengthUnit) -> String {
     let Ok(p) = outcome else { return short(outcome, unit) };
     let v = p.values();
     let mut text =
@@ -299,7 +299,7 @@ fn outcome_text(outcome: &Outcome, unit: LengthUnit) -> String {
 }
 
 /// The published range: where it is met, and where the layout is.
-fn range(s: &Solution, view: &View, glyphs: Glyphs) -> String {
+fn range(s: &Solution, view: &DesignView, glyphs: Glyphs) -> String {
     let (met, not) = match glyphs {
         Glyphs::Ascii => ('=', '.'),
         _ => ('━', '·'),
@@ -320,7 +320,7 @@ fn range(s: &Solution, view: &View, glyphs: Glyphs) -> String {
     format!("[{}]", cells.collect::<String>())
 }
 
-fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+fn notes(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)> {
     let (met, not) = match theme.glyphs {
         Glyphs::Ascii => ("=", "."),
         _ => ("━", "·"),

@@ -6,7 +6,7 @@ use super::super::theme::Theme;
 use super::sweep::{found, read};
 use super::{nothing, symbol, unit_of};
 use crate::app::App;
-use crate::app::studies::sweep::View;
+use crate::app::studies::sweep::SweepView;
 use crate::study::case::{NoValue, input_unit, input_value};
 use crate::study::checks::NoCheck;
 use crate::study::sensitivity::Effect;
@@ -30,7 +30,7 @@ enum Cell {
 }
 
 /// Draws the map with its legend.
-pub fn draw(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let Some(grid) = &view.grid else { return };
     let Some(second) = &grid.second else { return };
     let unit = app.units();
@@ -102,7 +102,7 @@ pub fn draw(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme)
 }
 
 /// The cells of forecast and checks, in the unit shown.
-fn cells(view: &View, unit: LengthUnit) -> (Vec<Cell>, Vec<Cell>) {
+fn cells(view: &SweepView, unit: LengthUnit) -> (Vec<Cell>, Vec<Cell>) {
     let effect = view.shown;
     let forecast = view.points.iter().map(|outcome| match outcome {
         Ok(p) => read(p, effect, unit).map_or(Cell::Empty, Cell::Value),
@@ -152,7 +152,7 @@ fn text_of(cell: Option<&Cell>, ends: (f64, f64), width: usize, shaded: bool) ->
 }
 
 fn legend(
-    view: &View,
+    view: &SweepView,
     ends: (f64, f64),
     (checks, two): (bool, bool),
     area: Rect,

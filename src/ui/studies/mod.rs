@@ -1,36 +1,36 @@
 //! The pages of studies, one a file; [`map`] is a sweep of two inputs, [`plot`] the chart that they share.
 
-pub mod compare;
-pub mod design;
-pub mod map;
-pub mod plot;
-pub mod sensitivity;
-pub mod sweep;
+pub(crate) mod compare;
+pub(crate) mod design;
+pub(crate) mod map;
+pub(crate) mod plot;
+pub(crate) mod sensitivity;
+pub(crate) mod sweep;
 
 use super::text::{clear, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::studies::Page;
+use crate::app::studies::StudyPage;
 use crate::job::pace::duration;
+use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;
-use crate::study::verdict::Wanted;
 use crate::units::LengthUnit;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Draws a page over the whole area.
-pub fn draw(app: &App, page: Page, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, page: StudyPage, area: Rect, buf: &mut Buffer, theme: &Theme) {
     clear(buf, area);
     match page {
-        Page::Sensitivity => sensitivity::draw(app, area, buf, theme),
-        Page::Sweep => sweep::draw(app, area, buf, theme),
-        Page::Compare => compare::draw(app, area, buf, theme),
-        Page::Design => design::draw(app, area, buf, theme),
+        StudyPage::Sensitivity => sensitivity::draw(app, area, buf, theme),
+        StudyPage::Sweep => sweep::draw(app, area, buf, theme),
+        StudyPage::Compare => compare::draw(app, area, buf, theme),
+        StudyPage::Design => design::draw(app, area, buf, theme),
     }
 }
 
 /// How far the campaign of a page is, in a line.
-pub fn progress(app: &App) -> Option<String> {
+pub(crate) fn progress(app: &App) -> Option<String> {
     let running = app.campaign()?;
     let (word, total) = (running.purpose.page.word(), running.total());
     let Some(p) = &running.progress else {

@@ -1,6 +1,6 @@
 //! A chart with axes between round ends, for curves and points.
 
-use super::super::canvas::{Canvas, Pen};
+use super::super::canvas::{Canvas, DotPen};
 use super::super::text::{put, put_right, width};
 use super::super::theme::Theme;
 use crate::axis::Range;
@@ -8,20 +8,20 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Smallest area in which something can be seen.
-pub const SMALLEST: (u16, u16) = (20, 5);
+pub(crate) const SMALLEST: (u16, u16) = (20, 5);
 
 /// Where values stand on the screen. Both axes are in the units shown.
 #[derive(Debug, Clone, Copy)]
-pub struct Plot {
+pub(crate) struct Plot {
     /// Cells of the plot itself.
-    pub area: Rect,
+    pub(crate) area: Rect,
     x: Range,
     y: Range,
 }
 
 impl Plot {
     /// Draws the axes into an area and gives the plot between them; nothing where there is no room.
-    pub fn new(
+    pub(crate) fn new(
         area: Rect,
         x: (f64, f64),
         y: (f64, f64),
@@ -70,16 +70,16 @@ impl Plot {
     }
 
     /// A value in dots of a canvas over the plot.
-    pub fn dot(&self, x: f64, y: f64, canvas: &Canvas) -> (f64, f64) {
+    pub(crate) fn dot(&self, x: f64, y: f64, canvas: &Canvas) -> (f64, f64) {
         let (w, h) = canvas.dots();
         (self.x.part(x) * f64::from(w - 1) + 0.5, (1.0 - self.y.part(y)) * f64::from(h - 1) + 0.5)
     }
 
     /// Draws a curve; what is no number breaks it.
-    pub fn curve(
+    pub(crate) fn curve(
         &self,
         points: impl IntoIterator<Item = (f64, f64)>,
-        pen: Pen,
+        pen: DotPen,
         canvas: &mut Canvas,
     ) {
         let dots: Vec<(f64, f64)> =
@@ -88,7 +88,7 @@ impl Plot {
     }
 
     /// Column and row of a value, if it is inside.
-    pub fn cell(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+    pub(crate) fn cell(&self, x: f64, y: f64) -> Option<(u16, u16)> {
         let (x, y) = (self.x.part(x), self.y.part(y));
         let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&v);
         if !inside(x) || !inside(y) {

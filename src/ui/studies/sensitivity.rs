@@ -5,11 +5,11 @@ use super::super::theme::Theme;
 use super::{nothing, plan, symbol, unit_of, value};
 use crate::app::App;
 use crate::app::look::Glyphs;
-use crate::app::studies::sensitivity::View;
+use crate::app::studies::sensitivity::SensitivityView;
 use crate::study::case::{NoValue, input_unit, input_value};
 use crate::study::checks::NoCheck;
 use crate::study::sensitivity::dem::CheckedStep;
-use crate::study::sensitivity::scale::Scale;
+use crate::study::sensitivity::scale::EffectScale;
 use crate::study::sensitivity::{Bar, Effect, Step};
 use crate::units::{LengthUnit, force_text, length_text, percent};
 use ratatui::buffer::Buffer;
@@ -22,7 +22,7 @@ const EACH: u16 = 15;
 const WITH_RANGES: u16 = 70;
 
 /// Draws the page.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let name = &app.layout().name;
     let Some(view) = app.sensitivity() else {
         heading(buf, area, &format!("sensitivity of {name}"), "", theme);
@@ -72,7 +72,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// What the layout itself gives, by the forecast and by its check.
-fn top(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)> {
     let m = |v: f64| length_text(v, app.units());
     let point = match &view.forecast.base {
         Ok(point) => point,
@@ -98,10 +98,10 @@ fn top(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
     );
     let mut lines = vec![(text, theme.forecast)];
     let text = match &view.checked.base {
-        Ok(verdict) if verdict.broke() => {
+        Ok(result) if result.broke() => {
             let used =
-                used(crate::study::checks::utilisation(&view.case.question, verdict.force.mean));
-            let (force, delta) = (verdict.force.mean, verdict.deflection.mean);
+                used(crate::study::checks::utilisation(&view.case.question, result.force.mean));
+            let (force, delta) = (result.force.mean, result.deflection.mean);
             format!("DEM      F   {}, delta   {}{used}", force_text(force), m(delta))
         }
         Ok(_) => "DEM      no run broke a wire".to_string(),
@@ -128,12 +128,19 @@ struct Line {
     style: Style,
 }
 
-fn tornado(app: &App, view: &View, effect: Effect, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn tornado(
+    app: &App,
+    view: &SensitivityView,
+    effect: Effect,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) {
     let unit = app.units();
     let bars = view.forecast.by(effect);
     let by_check = view.checked.bars.iter().map(|bar| bar.largest(effect)).fold(0.0, f64::max);
     let most = bars.first().map_or(0.0, |bar| bar.largest(effect)).max(by_check);
-    let scale = Scale::new(effect, unit, most);
+    let scale = EffectScale::new(effect, unit, most);
     let wide = area.width >= WITH_RANGES;
     let mut lines = Vec::new();
     let both = view.coverage.any() || app.campaign().is_some();
@@ -208,7 +215,7 @@ fn range(bar: &Bar, unit: LengthUnit) -> String {
 }
 
 /// A change by the forecast in words; `*` where the branch changes.
-fn forecast(step: &Step, effect: Effect, scale: &Scale) -> String {
+fn forecast(step: &Step, effect: Effect, scale: &EffectScale) -> String {
     match (&step.change, &step.outcome) {
         (Some(change), _) => {
             let mark = if change.other_branch { "*" } else { " " };
@@ -220,7 +227,7 @@ fn forecast(step: &Step, effect: Effect, scale: &Scale) -> String {
 }
 
 /// A change by checks in words; `~` where it may be chance.
-fn found(step: &CheckedStep, scale: &Scale) -> String {
+fn found(step: &CheckedStep, scale: &EffectScale) -> String {
     match (step.change.and_then(|c| c.of(scale.effect)), &step.answer) {
         (Some(known), _) => scale.text(known.value) + if known.doubtful() { "~" } else { " " },
         (None, Err(NoCheck::NotMade)) => ". ".to_string(),
@@ -261,7 +268,7 @@ fn signs(glyphs: Glyphs) -> [char; 4] {
     }
 }
 
-fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)> {
     let [lowered, raised, both, _] = signs(theme.glyphs);
     let offset =
         length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing, app.units());

@@ -1,14 +1,14 @@
 //! A sweep: its ranges at the head, the forecast as a line with the checks' points and bands, and the
 //! marked point in words. Maps are drawn by [`super::map`].
 
-use super::super::canvas::{Canvas, Pattern, Pen};
+use super::super::canvas::{Canvas, DotPen, Pattern};
 use super::super::text::{below, cut, heading, put, put_right};
 use super::super::theme::Theme;
 use super::plot::Plot;
 use super::{map, nothing, plan, symbol, unit_of, value};
 use crate::app::App;
-use crate::app::studies::sweep::{Slot, View};
-use crate::study::case::{Input, Point, input_unit, input_value};
+use crate::app::studies::sweep::{Slot, SweepView};
+use crate::study::case::{CasePoint, Input, input_unit, input_value};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
@@ -22,7 +22,7 @@ const WITH_TABLE: u16 = 100;
 const TABLE: u16 = 44;
 
 /// Draws the page.
-pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let name = &app.layout().name;
     let Some(view) = app.sweep() else {
         heading(buf, area, &format!("sweep of {name}"), "", theme);
@@ -61,7 +61,7 @@ pub fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// What is shown of a forecast, in its unit.
-pub(super) fn read(point: &Point, effect: Effect, unit: LengthUnit) -> Option<f64> {
+pub(super) fn read(point: &CasePoint, effect: Effect, unit: LengthUnit) -> Option<f64> {
     match effect {
         Effect::Force => Some(to_kn(point.values().force)),
         Effect::Deflection => Some(point.values().deflection * unit.per_metre()),
@@ -88,7 +88,7 @@ fn band(figures: &Figures, effect: Effect, unit: LengthUnit) -> Option<[f64; 2]>
 }
 
 /// One range: `>vary L from 1.25 to 4.50 m in 9 values`, the chosen part marked.
-fn head(app: &App, view: &View, axis: usize, row: Rect, buf: &mut Buffer, theme: &Theme) {
+fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, theme: &Theme) {
     let Some(range) = view.axes.get(axis) else { return };
     let unit = app.units();
     let (chosen, slot) = app.sweep_slot();
@@ -124,7 +124,7 @@ fn head(app: &App, view: &View, axis: usize, row: Rect, buf: &mut Buffer, theme:
 }
 
 /// The forecast as a line, the checks as points with their bands.
-fn line(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let (unit, effect) = (app.units(), view.shown);
     let Some(range) = view.axes.first() else { return };
     let across = |v: f64| if range.input.is_force() { to_kn(v) } else { v * unit.per_metre() };
@@ -167,15 +167,15 @@ fn line(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let Some(plot) = Plot::new(area, ends, (least, most), buf, theme) else { return };
     let mut canvas = Canvas::new(plot.area, theme.glyphs);
     if let Some(limit) = limit {
-        let pen = Pen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some('-') };
+        let pen = DotPen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some('-') };
         plot.curve([(ends.0, limit), (ends.1, limit)], pen, &mut canvas);
     }
-    let pen = Pen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
+    let pen = DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
     plot.curve(forecast.iter().copied(), pen, &mut canvas);
     canvas.show(buf);
     // The bands lie over the line: a character of the screen has one style.
     let mut bands = Canvas::new(plot.area, theme.glyphs);
-    let pen = Pen { style: theme.check, pattern: Pattern::Solid, ascii: Some(':') };
+    let pen = DotPen { style: theme.check, pattern: Pattern::Solid, ascii: Some(':') };
     for (x, figures) in &checked {
         if let Some([low, high]) = band(figures, effect, unit) {
             plot.curve([(*x, low), (*x, high)], pen, &mut bands);
@@ -203,7 +203,7 @@ fn line(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// A point of the sweep in words.
-fn place(view: &View, unit: LengthUnit) -> String {
+fn place(view: &SweepView, unit: LengthUnit) -> String {
     let Some(grid) = &view.grid else { return String::new() };
     let (first, second) = grid.at(view.marked);
     let text = |input: Input, v: f64| {
@@ -216,7 +216,7 @@ fn place(view: &View, unit: LengthUnit) -> String {
     words
 }
 
-fn notes(app: &App, view: &View, theme: &Theme) -> Vec<(String, Style)> {
+fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
     let unit = app.units();
     let m = |v: f64| length_text(v, unit);
     let mut lines = Vec::new();
@@ -275,7 +275,7 @@ pub(super) fn figures_text(f: &Figures, unit: LengthUnit) -> String {
 }
 
 /// All points as a table.
-fn table(app: &App, view: &View, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let unit = app.units();
     let Some(grid) = &view.grid else { return };
     let input = grid.first.input;

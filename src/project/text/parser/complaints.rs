@@ -1,7 +1,7 @@
 //! What is said of the slips that people make most.
 
 use super::{Parser, Step, SyntaxError};
-use crate::project::text::{Entry, Kind, line_column};
+use crate::project::text::{Entry, NodeKind, line_column};
 use crate::units::{self, LengthUnit, Quantity};
 
 impl Parser<'_> {
@@ -25,7 +25,7 @@ impl Parser<'_> {
         let start = self.at;
         let shown = self.word_at(start);
         if let Some(Entry { key: Some((key, _)), value, comma: Some(comma) }) = entries.last()
-            && matches!(value.kind, Kind::Number(_))
+            && matches!(value.kind, NodeKind::Number(_))
             && shown.starts_with(|c: char| c.is_ascii_digit())
         {
             let before = value.span.of(self.text).to_string();
@@ -61,7 +61,7 @@ impl Parser<'_> {
             self.path.push(Step::Key(key.clone()));
         }
         let value = previous.value.span.of(self.text);
-        let number = matches!(previous.value.kind, Kind::Number(_));
+        let number = matches!(previous.value.kind, NodeKind::Number(_));
         if number && matches!(shown, "m" | "mm" | "cm" | "kN" | "N" | "MN") {
             return self
                 .error(previous.value.span.start, "a value with a unit stands in quotes")

@@ -3,7 +3,7 @@
 
 mod complaints;
 
-use super::{Entry, Group, Kind, Node, Shape, Span, Tree, scalar};
+use super::{Entry, Group, Node, NodeKind, Shape, Span, Tree, scalar};
 use crate::problem::Problem;
 
 /// Deepest nesting of brackets; a project needs seven.
@@ -14,9 +14,9 @@ const DEEPEST: usize = 64;
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntaxError {
     /// The byte where it stands.
-    pub at: usize,
+    pub(crate) at: usize,
     /// What is wrong, and in which field.
-    pub problem: Box<Problem>,
+    pub(crate) problem: Box<Problem>,
 }
 
 /// Reads a whole text.
@@ -158,13 +158,13 @@ impl<'t> Parser<'t> {
             'b' if rest.starts_with("b\"") => {
                 self.at += 1;
                 self.string(1)?;
-                Kind::Other
+                NodeKind::Other
             }
             'b' if rest.starts_with("br")
                 && (rest.starts_with("br\"") || raw_string_follows(&rest[1..])) =>
             {
                 self.raw_string(2)?;
-                Kind::Other
+                NodeKind::Other
             }
             'b' if rest.starts_with("b'") => {
                 self.at += 1;
@@ -184,11 +184,11 @@ impl<'t> Parser<'t> {
                 self.comments.truncate(kept);
                 self.at = end;
                 match word.as_str() {
-                    "true" => Kind::Bool(true),
-                    "false" => Kind::Bool(false),
-                    "inf" => Kind::Number(f64::INFINITY),
-                    "NaN" => Kind::Number(f64::NAN),
-                    _ => Kind::Word(word),
+                    "true" => NodeKind::Bool(true),
+                    "false" => NodeKind::Bool(false),
+                    "inf" => NodeKind::Number(f64::INFINITY),
+                    "NaN" => NodeKind::Number(f64::NAN),
+                    _ => NodeKind::Word(word),
                 }
             }
             _ => {
@@ -209,7 +209,7 @@ impl<'t> Parser<'t> {
         rest[skip..end].to_string()
     }
 
-    fn number(&mut self) -> Result<Kind, SyntaxError> {
+    fn number(&mut self) -> Result<NodeKind, SyntaxError> {
         let start = self.at;
         let bytes = self.text.as_bytes();
         let hex = self.rest().trim_start_matches(['+', '-']).starts_with("0x");
@@ -225,12 +225,12 @@ impl<'t> Parser<'t> {
         }
         let shown = &self.text[start..self.at];
         match scalar::number(shown) {
-            Some(value) => Ok(Kind::Number(value)),
+            Some(value) => Ok(NodeKind::Number(value)),
             None => Err(self.not_a_number(start, shown)),
         }
     }
 
-    fn string(&mut self, prefix: usize) -> Result<Kind, SyntaxError> {
+    fn string(&mut self, prefix: usize) -> Result<NodeKind, SyntaxError> {
         let start = self.at;
         let bytes = self.text.as_bytes();
         self.at += 1;
@@ -251,14 +251,14 @@ impl<'t> Parser<'t> {
         let raw = self.text.get(inner..self.at).unwrap_or("");
         self.at += 1;
         if prefix > 0 {
-            return Ok(Kind::Other);
+            return Ok(NodeKind::Other);
         }
-        scalar::unescape(raw).map(Kind::Text).map_err(|(at, what)| {
+        scalar::unescape(raw).map(NodeKind::Text).map_err(|(at, what)| {
             self.error(inner + at, what).with_advice("write a backslash twice: \\\\")
         })
     }
 
-    fn raw_string(&mut self, prefix: usize) -> Result<Kind, SyntaxError> {
+    fn raw_string(&mut self, prefix: usize) -> Result<NodeKind, SyntaxError> {
         let start = self.at;
         let rest = &self.rest()[prefix..];
         let hashes = rest.len() - rest.trim_start_matches('#').len();
@@ -267,7 +267,7 @@ impl<'t> Parser<'t> {
         match inner.find(&close) {
             Some(end) => {
                 self.at += prefix + hashes + 1 + end + close.len();
-                Ok(Kind::Text(inner[..end].to_string()))
+                Ok(NodeKind::Text(inner[..end].to_string()))
             }
             None => Err(self
                 .error(start, "the text that starts here never ends")
@@ -275,7 +275,7 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn character(&mut self) -> Result<Kind, SyntaxError> {
+    fn character(&mut self) -> Result<NodeKind, SyntaxError> {
         let start = self.at;
         let line = self.rest().split('\n').next().unwrap_or("");
         // One character, or a backslash and what belongs to it.
@@ -288,7 +288,7 @@ impl<'t> Parser<'t> {
         match end {
             Some(end) => {
                 self.at += end + 1;
-                Ok(Kind::Other)
+                Ok(NodeKind::Other)
             }
             None => Err(self
                 .error(start, "a single ' stands here")
@@ -354,7 +354,7 @@ impl<'t> Parser<'t> {
         }
         let group = Group { shape, name, inner: Span::new(inner, self.at), entries };
         self.at += 1;
-        Ok(Node { span: Span::new(start, self.at), kind: Kind::Group(group) })
+        Ok(Node { span: Span::new(start, self.at), kind: NodeKind::Group(group) })
     }
 
     /// Whether `name:` follows, which makes a group in round brackets a struct.

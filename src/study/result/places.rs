@@ -1,35 +1,35 @@
 //! Where first breaks are, in words.
 
-use super::Verdict;
+use super::CheckResult;
 use crate::layout::Layout;
 
 /// Distance from a plate's edge within which a break counts as one at the plate, m: two openings of the
 /// reference mesh, since a wire that starts at the plate ends one or two openings away.
-pub const AT_PLATE: f64 = 0.16;
+pub(crate) const AT_PLATE: f64 = 0.16;
 /// Distance from the punch's axis within which a break counts as one at the punch, in its diameters: the
 /// rim is at 0.5.
-pub const AT_PUNCH: f64 = 0.6;
+pub(crate) const AT_PUNCH: f64 = 0.6;
 
 /// How many runs broke first where.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Places {
+pub(crate) struct Places {
     /// At an anchor plate.
-    pub plate: usize,
+    pub(crate) plate: usize,
     /// Under the punch or at its rim.
-    pub punch: usize,
+    pub(crate) punch: usize,
     /// Between them.
-    pub between: usize,
+    pub(crate) between: usize,
     /// How many of all are double twists.
-    pub twists: usize,
+    pub(crate) twists: usize,
 }
 
 impl Places {
-    /// Of a verdict on this layout.
-    pub fn of(verdict: &Verdict, layout: &Layout) -> Places {
+    /// Of a result on this layout.
+    pub(crate) fn of(result: &CheckResult, layout: &Layout) -> Places {
         let mut places = Places::default();
         let half = layout.spacing / 2.0;
         let (ex, ey) = layout.folded();
-        for b in &verdict.breaks {
+        for b in &result.breaks {
             // The corner that is nearest by symmetry, and how far the plate's edge is.
             let beyond = |v: f64| (half - v.abs() - layout.plate / 2.0).max(0.0);
             let from_plate = beyond(b.place[0]).hypot(beyond(b.place[1]));
@@ -52,7 +52,7 @@ impl Places {
     }
 
     /// In words: `plate 7, punch 1`.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let parts = [("plate", self.plate), ("punch", self.punch), ("between", self.between)];
         let named = parts.iter().filter(|p| p.1 > 0).map(|(word, n)| format!("{word} {n}"));
         named.collect::<Vec<_>>().join(", ")
@@ -67,13 +67,13 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::layout::REFERENCE;
     use crate::study::ensemble::Spread;
-    use crate::study::verdict::{FirstBreak, Wanted};
+    use crate::study::result::{FirstBreak, Wanted};
 
     #[test]
     fn places_are_told_apart_across_the_edge_too() {
         let at =
             |x: f64, y: f64| FirstBreak { at: Point::default(), place: [x, y], twist: x > 0.0 };
-        let verdict = Verdict {
+        let result = CheckResult {
             wanted: Wanted::default(),
             inputs: Fingerprint(0),
             version: String::new(),
@@ -91,12 +91,12 @@ mod tests {
             quality: Quality::default(),
             warnings: Vec::new(),
         };
-        let p = Places::of(&verdict, &REFERENCE);
+        let p = Places::of(&result, &REFERENCE);
         assert_eq!((p.plate, p.punch, p.between, p.twists), (1, 1, 2, 2));
         assert_eq!(p.text(), "plate 1, punch 1, between 2");
         // A punch at the cell's right edge reaches into the next cell, from the left edge in.
         let edge = Layout { ex: 1.4, ..REFERENCE };
-        let p = Places::of(&verdict, &edge);
+        let p = Places::of(&result, &edge);
         assert_eq!((p.plate, p.punch, p.between), (1, 1, 2));
     }
 }

@@ -8,20 +8,20 @@
 
 use super::rounded;
 use crate::curve::{Curve, Point};
-use crate::dem::Outcome;
+use crate::dem::RunOutcome;
 use crate::study::bench::force_at;
 use crate::study::ensemble::{Run, Spread};
 use crate::units::{from_kn, to_kn};
 
 /// Most points of a mean curve.
-pub const POINTS: usize = 60;
+pub(crate) const POINTS: usize = 60;
 /// Points on the way to the first break; a single run has the rest behind it.
 const BEFORE: usize = 49;
 
 /// Mean curve of the runs that broke, or where none did of all, each up to its peak; and its band,
 /// empty where there is only one run.
-pub fn of(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
-    let broke: Vec<&Outcome> =
+pub(crate) fn of(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
+    let broke: Vec<&RunOutcome> =
         runs.iter().map(|run| &run.outcome).filter(|o| o.first_break.is_some()).collect();
     let slipped = broke.is_empty();
     let taken = if slipped { runs.iter().map(|run| &run.outcome).collect() } else { broke };
@@ -68,7 +68,7 @@ pub fn of(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
 }
 
 /// A run at a part of its way to its first break, or to its peak where it has none.
-fn on_its_way(outcome: &Outcome, part: f64) -> Point {
+fn on_its_way(outcome: &RunOutcome, part: f64) -> Point {
     let end = outcome.first_break.unwrap_or(outcome.peak);
     if part >= 1.0 {
         return end;
@@ -84,7 +84,7 @@ fn on_its_way(outcome: &Outcome, part: f64) -> Point {
 }
 
 /// The way of a run behind its first break, in as many points as are left.
-fn behind(outcome: &Outcome, first: Point) -> Vec<Point> {
+fn behind(outcome: &RunOutcome, first: Point) -> Vec<Point> {
     let points: Vec<Point> =
         outcome.curve.points().filter(|p| p.deflection > first.deflection).collect();
     let every = points.len().div_ceil(POINTS - BEFORE).max(1);

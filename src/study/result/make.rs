@@ -1,8 +1,8 @@
-//! Making a verdict: the anchored test of a layout, watched from outside.
+//! Making a result: the anchored test of a layout, watched from outside.
 
 use super::relief::Relief;
-use super::{Verdict, Wanted};
-use crate::dem::{Flow, PLAIN_PHASE, Scene, SceneSpec, Test};
+use super::{CheckResult, Wanted};
+use crate::dem::{Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::layout::Layout;
@@ -21,11 +21,11 @@ pub enum Told<'a> {
     Finished(usize, &'a Run),
 }
 
-/// A verdict with the shape of the net, which is not kept.
+/// A result with the shape of the net, which is not kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Made {
-    /// The verdict.
-    pub verdict: Verdict,
+    /// The result.
+    pub result: CheckResult,
     /// The net at the first break of the first run.
     pub relief: Option<Relief>,
 }
@@ -45,7 +45,7 @@ fn spec(layout: &Layout, wire: &WireData, wanted: &Wanted) -> SceneSpec {
 ///
 /// # Errors
 /// The mesh has none.
-pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
+pub(crate) fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
     mesh.wire.as_ref().ok_or_else(|| {
         vec![
             Problem::new("mesh", "this mesh has no wire data, which the check needs")
@@ -57,22 +57,13 @@ pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
 
 /// Deflection at which a layout is expected to break until a run has told, m: its forecast's, or a fifth
 /// of the spacing where there is none.
-pub fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
+pub(crate) fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
     forecast.map_or(0.2 * layout.spacing, |values| values.deflection)
 }
 
 /// Fingerprint of all inputs of a layout's check.
-pub fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
+pub(crate) fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
     of_ensemble(&spec(layout, wire, wanted), &wanted.controls(), &wanted.plan(1))
-}
-
-/// Whether a layout can be checked at all; cheap enough for every edit of a few.
-///
-/// # Errors
-/// What is wrong with it.
-pub fn possible(layout: &Layout, mesh: &MeshType) -> Result<(), Vec<Problem>> {
-    let wanted = Wanted::default();
-    Scene::new(&spec(layout, wires(mesh)?, &wanted)).map(|_| ())
 }
 
 /// Checks a layout. `tell` is called from several threads and may end it; what is done by then is kept.
@@ -96,7 +87,7 @@ pub fn make(
     let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
     let relief = first.map(|net| Relief::of(net, layout.spacing));
     let inputs = of_ensemble(&spec, &controls, &plan);
-    Ok(Made { verdict: Verdict::of(&ensemble, wanted, inputs), relief })
+    Ok(Made { result: CheckResult::of(&ensemble, wanted, inputs), relief })
 }
 
 #[cfg(test)]
@@ -108,7 +99,7 @@ mod tests {
     use crate::units::to_kn;
 
     #[test]
-    fn a_verdict_ends_where_its_mean_first_break_is() {
+    fn a_result_ends_where_its_mean_first_break_is() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 1 };
         let mesh = catalogue::reference();
@@ -123,7 +114,7 @@ mod tests {
         let mut seen = seen.into_inner().unwrap();
         seen.sort_unstable();
         assert_eq!(seen, [0, 1, 2]);
-        let v = &made.verdict;
+        let v = &made.result;
         assert_eq!((v.runs, v.breaks.len(), v.slipped), (3, 3, 0));
         assert!(v.curve.deflection.len() <= super::super::mean::POINTS);
         assert!(v.curve.deflection.windows(2).all(|w| w[0] < w[1]));
@@ -145,7 +136,7 @@ mod tests {
         let wanted = Wanted { runs: Some(2), ..Wanted::default() };
         let made =
             make(&REFERENCE, &catalogue::reference(), &wanted, 1, &|_| Flow::Cancel).unwrap();
-        assert!(made.verdict.partial() && !made.verdict.broke() && made.verdict.runs == 0);
-        assert!(made.verdict.curve.deflection.is_empty());
+        assert!(made.result.partial() && !made.result.broke() && made.result.runs == 0);
+        assert!(made.result.curve.deflection.is_empty());
     }
 }

@@ -2,16 +2,16 @@
 //! wires broke, how far to trust it, and the fingerprint of what it was made from. Small enough to be
 //! kept in a project, enough to draw and to report from.
 //!
-//! - [`make`]: a layout's ensemble, watched from outside, and its verdict.
+//! - [`make`]: a layout's ensemble, watched from outside, and its result.
 //! - [`mean`]: the mean curve and its band; [`places`]: where wires broke first; [`relief`]: the shape of the deformed net.
 //!
-//! The numbers are rounded to [`DIGITS`] significant digits when a verdict is made, in the units in
+//! The numbers are rounded to [`DIGITS`] significant digits when a result is made, in the units in
 //! which a project holds them (kN, m, J), so that writing and reading one changes nothing.
 
 pub mod make;
-pub mod mean;
-pub mod places;
-pub mod relief;
+pub(crate) mod mean;
+pub(crate) mod places;
+pub(crate) mod relief;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread};
 use crate::curve::{Curve, Point};
@@ -21,10 +21,10 @@ use crate::dem::{Controls, Fidelity, Stop};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
 
-/// Significant digits of the numbers of a verdict; the method is good for three.
-pub const DIGITS: usize = 5;
-/// The program's version, which a verdict carries: another version may compute otherwise.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// Significant digits of the numbers of a result; the method is good for three.
+pub(crate) const DIGITS: usize = 5;
+/// The program's version, which a result carries: another version may compute otherwise.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What is asked of a check.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,12 +46,12 @@ impl Default for Wanted {
 
 impl Wanted {
     /// Controls of the runs.
-    pub fn controls(&self) -> Controls {
+    pub(crate) fn controls(&self) -> Controls {
         Controls { fidelity: self.fidelity, keep_net: true, ..Controls::default() }
     }
 
     /// Plan of the ensemble, on this many threads.
-    pub fn plan(&self, threads: usize) -> Plan {
+    pub(crate) fn plan(&self, threads: usize) -> Plan {
         Plan { runs: self.runs, seed: self.seed, phase: None, threads: threads.max(1) }
     }
 }
@@ -60,16 +60,16 @@ impl Wanted {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstBreak {
     /// Force (N) and deflection (m).
-    pub at: Point,
+    pub(crate) at: Point,
     /// Middle of the broken bond in the unloaded net, from the panel's centre, m.
-    pub place: [f64; 2],
+    pub(crate) place: [f64; 2],
     /// Whether it is a double twist; else a single wire.
-    pub twist: bool,
+    pub(crate) twist: bool,
 }
 
 /// The result of a check in brief. Forces N, lengths m.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Verdict {
+pub struct CheckResult {
     /// What was asked.
     pub wanted: Wanted,
     /// Fingerprint of all inputs, see [`super::inputs::of_ensemble`].
@@ -102,9 +102,9 @@ pub struct Verdict {
     pub warnings: Vec<String>,
 }
 
-impl Verdict {
-    /// The verdict on an ensemble, or on what there is of one.
-    pub fn of(ensemble: &Ensemble, wanted: &Wanted, inputs: Fingerprint) -> Verdict {
+impl CheckResult {
+    /// The result on an ensemble, or on what there is of one.
+    pub(crate) fn of(ensemble: &Ensemble, wanted: &Wanted, inputs: Fingerprint) -> CheckResult {
         let runs: Vec<&Run> = ensemble.runs.iter().filter(|run| counts(run)).collect();
         let (curve, band) = mean::of(&runs);
         let force = |v: f64| from_kn(rounded(to_kn(v)));
@@ -123,7 +123,7 @@ impl Verdict {
             })
         });
         let energy: f64 = runs.iter().map(|run| run.outcome.energy).sum();
-        Verdict {
+        CheckResult {
             wanted: wanted.clone(),
             inputs,
             version: VERSION.to_string(),
@@ -143,17 +143,17 @@ impl Verdict {
     }
 
     /// Whether the check was ended before all its runs were made.
-    pub fn partial(&self) -> bool {
+    pub(crate) fn partial(&self) -> bool {
         self.warnings.iter().any(|w| w == "cancelled")
     }
 
     /// Whether one alignment says nothing here, see [`crate::dem::bifurcation`].
-    pub fn bifurcation(&self) -> bool {
+    pub(crate) fn bifurcation(&self) -> bool {
         self.warnings.iter().any(|w| w == "bifurcation")
     }
 
     /// Its warnings as sentences without a final stop.
-    pub fn remarks(&self) -> Vec<String> {
+    pub(crate) fn remarks(&self) -> Vec<String> {
         let sentence = |name: &String| {
             match name.as_str() {
             "bifurcation" => {
@@ -168,24 +168,24 @@ impl Verdict {
     }
 
     /// Whether runs were left out because they ran away.
-    pub fn diverged(&self) -> bool {
+    pub(crate) fn diverged(&self) -> bool {
         self.warnings.iter().any(|w| w == "diverged")
     }
 
     /// Whether there is a mean first break.
-    pub fn broke(&self) -> bool {
+    pub(crate) fn broke(&self) -> bool {
         self.curve.failure.is_some()
     }
 
     /// Whether it still is what this program would find for these inputs; `now` is their fingerprint
     /// as [`make::fingerprint`] makes it.
-    pub fn current(&self, now: Fingerprint) -> bool {
+    pub(crate) fn current(&self, now: Fingerprint) -> bool {
         self.inputs == now && self.version == VERSION
     }
 }
 
 /// Whether a run counts: it came to an end of its own, or at least to its first break.
-pub fn counts(run: &Run) -> bool {
+pub(crate) fn counts(run: &Run) -> bool {
     let outcome = &run.outcome;
     outcome.stop != Stop::Diverged
         && !(outcome.stop == Stop::Cancelled && outcome.first_break.is_none())
@@ -210,7 +210,7 @@ fn worst(runs: &[&Run]) -> Quality {
 }
 
 /// A number at [`DIGITS`] significant digits; 0 for what is no number.
-pub fn rounded(value: f64) -> f64 {
+pub(crate) fn rounded(value: f64) -> f64 {
     if !value.is_finite() || value == 0.0 {
         return 0.0;
     }

@@ -3,25 +3,25 @@
 use crate::dem::outcome::Net;
 
 /// Cells along each side of the grid.
-pub const CELLS: usize = 48;
+pub(crate) const CELLS: usize = 48;
 
 /// How far the net is pushed out, over the panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relief {
     /// Side of the panel, m.
-    pub side: f64,
+    pub(crate) side: f64,
     /// Heights, m, row by row from the bottom left corner, [`CELLS`] in a row.
-    pub heights: Vec<f64>,
+    pub(crate) heights: Vec<f64>,
     /// Largest height, m.
-    pub highest: f64,
+    pub(crate) highest: f64,
     /// Punch displacement at which the net was taken, m.
-    pub deflection: f64,
+    pub(crate) deflection: f64,
 }
 
 impl Relief {
     /// The shape of `net` on a panel of this side: each cell of the grid takes the mean height of the
     /// nodes in it; where there are none, of the cells around that have some.
-    pub fn of(net: &Net, side: f64) -> Relief {
+    pub(crate) fn of(net: &Net, side: f64) -> Relief {
         let mut sum = vec![0.0; CELLS * CELLS];
         let mut count = vec![0.0; CELLS * CELLS];
         let cell = |v: f64| {
@@ -62,7 +62,7 @@ impl Relief {
     }
 
     /// Height at a place from the panel's centre, m, linear between the cells' middles.
-    pub fn at(&self, x: f64, y: f64) -> f64 {
+    pub(crate) fn at(&self, x: f64, y: f64) -> f64 {
         let place =
             |v: f64| ((v / self.side + 0.5) * CELLS as f64 - 0.5).clamp(0.0, (CELLS - 1) as f64);
         let (px, py) = (place(x), place(y));
