@@ -22,7 +22,7 @@
 pub mod bench;
 pub mod calibrate;
 pub mod case;
-pub(crate) mod checks;
+pub mod checks;
 pub mod clock;
 pub(crate) mod compare;
 pub(crate) mod convergence;

@@ -1,13 +1,17 @@
-//! Checks by simulation through the program's state: the work is done here, at once and on this thread
-//! or the next, and its news are given to the state.
+//! Checks by simulation through the program's state: news of invented results are given to the state.
+//! One test, and those of `tests/terminal`, let the solver make them.
 
+use crate::canned::{self, news};
 use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::checks::Standing;
 use meshcast::app::message::{Command, Message};
 use meshcast::curve::Point;
-use meshcast::job::News;
+use meshcast::dem::Fidelity;
 use meshcast::job::order::{Progress, Task, What};
+use meshcast::job::{News, Ticket};
+use meshcast::study::result::Wanted;
+use std::sync::Mutex;
 
 fn app() -> App {
     let mut app = start(small(), (80, 24), COLOR);
@@ -152,10 +156,7 @@ fn a_fault_in_the_worker_leaves_the_program_ready() {
 
 #[test]
 fn screens_with_a_check() {
-    let sizes = [(80, 24), (120, 40), (200, 60), (40, 12)];
-    let looks = [("color", COLOR), ("mono", MONO), ("ascii", ASCII)];
-    for (size, (word, look)) in sizes.iter().flat_map(|s| looks.iter().map(move |l| (*s, *l))) {
-        let name = format!("{}x{}_{word}", size.0, size.1);
+    for (name, size, look) in PICTURES {
         let mut app = start(small(), size, look);
         press(&mut app, ":runs 3<Enter>:fidelity quick<Enter>");
         check(&mut app, "c");
@@ -165,7 +166,52 @@ fn screens_with_a_check() {
     let mut app = app();
     check(&mut app, "c");
     press(&mut app, "<Right>i");
-    insta::assert_snapshot!("check_details", text(&app));
+    // The fingerprint is not the screen's to say.
+    let print = app.shown_check().unwrap().result.inputs.to_string();
+    insta::assert_snapshot!("check_details", text(&app).replace(&print, "(16 digits)     "));
+}
+
+#[test]
+fn screens_with_a_check_that_is_not_plain() {
+    for name in ["slipped", "partial", "diverged", "bifurcation"] {
+        let mut project = small();
+        let mesh = project.mesh(&project.layouts[0]).unwrap();
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: None, seed: 0 };
+        let made = canned::named(name, &project.layouts[0].layout(), &mesh, &wanted);
+        project.layouts[0].check = Some(made.into());
+        let app = start(project, (80, 24), COLOR);
+        assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+        insta::assert_snapshot!(format!("check_{name}"), text(&app));
+    }
+    let mut app = app();
+    check(&mut app, "c");
+    press(&mut app, "<Down><Right>");
+    insta::assert_snapshot!("check_stale", styled(&app));
+    check(&mut app, "l");
+    insta::assert_snapshot!("check_live", styled(&app));
+}
+
+/// The solver itself behind the state: what its results mean, not what they are.
+#[test]
+fn what_the_solver_makes_is_taken_and_current() {
+    let mut app = app();
+    let effects = press(&mut app, "c");
+    let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+    let heard = Mutex::new(Vec::new());
+    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
+    for news in heard.into_inner().unwrap() {
+        app.update(Message::Work(news));
+    }
+    let shown = app.shown_check().unwrap();
+    assert_eq!(shown.standing, Standing::Current);
+    assert_eq!((shown.result.runs, shown.result.slipped, shown.result.breaks.len()), (2, 0, 2));
+    // The punch is in the middle, and there the net is highest, as far out as the punch.
+    let relief = shown.relief.unwrap();
+    let (highest, deflection) = (relief.highest, shown.result.breaks[0].at.deflection);
+    assert!((highest / deflection - 1.0).abs() < 0.1, "{highest} {deflection}");
+    assert!(text(&app).contains("DEM "), "{}", text(&app));
+    press(&mut app, "<Down><Right>");
+    assert!(app.shown_check().unwrap().stale());
 }
 
 #[test]

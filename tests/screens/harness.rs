@@ -1,10 +1,11 @@
 //! Drives the program's state by key scripts and dumps its screens with styles.
 
+use crate::canned::news;
 use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
 use meshcast::app::message::{Command, Message};
 use meshcast::app::{App, Start};
-use meshcast::job::{News, Order, Ticket};
+use meshcast::job::Order;
 use meshcast::layout::Layout;
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::schema::{NamedLayout, Project};
@@ -12,7 +13,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 /// Five layouts, the rows of Table 1 of Pol & Gabrieli (2021).
 pub(crate) fn road_cut() -> Project {
@@ -53,6 +54,17 @@ pub(crate) const COLOR: Look = Look { color: ColorMode::Basic16, glyphs: Glyphs:
 pub(crate) const MONO: Look = Look { color: ColorMode::None, glyphs: Glyphs::Block };
 /// No colour, plain ASCII.
 pub(crate) const ASCII: Look = Look { color: ColorMode::None, glyphs: Glyphs::Ascii };
+
+/// How a main screen is pictured: four sizes in one look, and the other looks at the standard size. All
+/// others are pictured once, at 80x24.
+pub(crate) const PICTURES: [(&str, (u16, u16), Look); 6] = [
+    ("40x12_color", (40, 12), COLOR),
+    ("80x24_color", (80, 24), COLOR),
+    ("120x40_color", (120, 40), COLOR),
+    ("200x60_color", (200, 60), COLOR),
+    ("80x24_mono", (80, 24), MONO),
+    ("80x24_ascii", (80, 24), ASCII),
+];
 
 /// The keys of a script: characters stand for themselves, `<...>` names a key: `<Enter>`, `<Esc>`,
 /// `<Tab>`, `<Up>`, `<PgDn>`, `<C-s>`, `<S-Left>`, `<lt>` for the sign itself.
@@ -161,7 +173,7 @@ pub(crate) fn styled(app: &App) -> String {
     format!("{}----\n{map}----\n{legend}", text(app))
 }
 
-/// Two small cells, which are checked in milliseconds, and one that cannot be: the punch is on a plate.
+/// Two small cells, and one that cannot be checked: the punch is on a plate.
 pub(crate) fn small() -> Project {
     let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
     let mut project = Project::starter("Small");
@@ -173,14 +185,8 @@ pub(crate) fn small() -> Project {
     project
 }
 
-/// The news of an order that is done here and now.
-pub(crate) fn news(order: &Order) -> Vec<News> {
-    let heard = Mutex::new(Vec::new());
-    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
-    heard.into_inner().unwrap()
-}
-
-/// Does the work among some effects and tells the state of it; the orders, as they were.
+/// Takes the work among some effects as done and tells the state of it, see [`crate::canned`]; the
+/// orders, as they were.
 pub(crate) fn work(app: &mut App, effects: Vec<Command>) -> Vec<Order> {
     let ordered = |effect| match effect {
         Command::Work(order) => Some(order),

@@ -1,12 +1,11 @@
-//! Styled snapshots of every screen: the main one at all sizes and looks, the others at 80x24.
+//! Styled snapshots of every screen: the main ones at four sizes and in three looks, see
+//! [`PICTURES`], the others at 80x24.
 //!
 //! These find regressions only: what the numbers on them should be is tested elsewhere. After a wanted
 //! change run `INSTA_UPDATE=always cargo test --test screens` and look at the difference.
 
 use crate::harness::*;
 use meshcast::app::look::Look;
-
-const LOOKS: [(&str, Look); 3] = [("color", COLOR), ("mono", MONO), ("ascii", ASCII)];
 
 fn check(name: &str, script: &str, size: (u16, u16), look: Look) {
     let mut app = start(road_cut(), size, look);
@@ -17,21 +16,9 @@ fn check(name: &str, script: &str, size: (u16, u16), look: Look) {
 }
 
 #[test]
-fn main_screen_at_every_size_and_look() {
-    for size in [(80, 24), (120, 40), (200, 60), (40, 12)] {
-        for (word, look) in LOOKS {
-            check(&format!("main_{}x{}_{word}", size.0, size.1), "<Tab><Tab>", size, look);
-        }
-    }
-}
-
-/// The comparison of all layouts, by forecast alone; with checks it is among the pages of studies.
-#[test]
-fn comparison_at_every_size_and_look() {
-    for size in [(80, 24), (120, 40), (200, 60), (40, 12)] {
-        for (word, look) in LOOKS {
-            check(&format!("compare_{}x{}_{word}", size.0, size.1), "v", size, look);
-        }
+fn main_screen_at_every_size_and_in_every_look() {
+    for (name, size, look) in PICTURES {
+        check(&format!("main_{name}"), "<Tab><Tab>", size, look);
     }
 }
 
@@ -40,11 +27,9 @@ fn main_screen_with_everything_on_it() {
     // Overlays, design values, an eccentric layout with warnings, units in millimetres.
     let script =
         "o<Tab>o<Tab>o<PgUp><PgUp><PgUp><Down><Down><Down><Down><Down>12<Enter><Down>0.5<Enter>t";
-    for (word, look) in LOOKS {
+    for (word, look) in [("color", COLOR), ("mono", MONO), ("ascii", ASCII)] {
         check(&format!("busy_80x24_{word}"), script, (80, 24), look);
     }
-    check("busy_120x40_color", script, (120, 40), COLOR);
-    check("busy_64x18_color", script, (64, 18), COLOR);
 }
 
 #[test]

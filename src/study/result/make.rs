@@ -45,7 +45,7 @@ fn spec(layout: &Layout, wire: &WireData, wanted: &Wanted) -> SceneSpec {
 ///
 /// # Errors
 /// The mesh has none.
-pub(crate) fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
+pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
     mesh.wire.as_ref().ok_or_else(|| {
         vec![
             Problem::new("mesh", "this mesh has no wire data, which the check needs")
@@ -62,7 +62,7 @@ pub(crate) fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
 }
 
 /// Fingerprint of all inputs of a layout's check.
-pub(crate) fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
+pub fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
     of_ensemble(&spec(layout, wire, wanted), &wanted.controls(), &wanted.plan(1))
 }
 

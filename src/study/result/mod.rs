@@ -11,7 +11,7 @@
 pub mod make;
 pub(crate) mod mean;
 pub(crate) mod places;
-pub(crate) mod relief;
+pub mod relief;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread};
 use crate::curve::{Curve, Point};
@@ -60,11 +60,11 @@ impl Wanted {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstBreak {
     /// Force (N) and deflection (m).
-    pub(crate) at: Point,
+    pub at: Point,
     /// Middle of the broken bond in the unloaded net, from the panel's centre, m.
-    pub(crate) place: [f64; 2],
+    pub place: [f64; 2],
     /// Whether it is a double twist; else a single wire.
-    pub(crate) twist: bool,
+    pub twist: bool,
 }
 
 /// The result of a check in brief. Forces N, lengths m.

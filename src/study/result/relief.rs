@@ -3,19 +3,19 @@
 use crate::dem::outcome::Net;
 
 /// Cells along each side of the grid.
-pub(crate) const CELLS: usize = 48;
+pub const CELLS: usize = 48;
 
 /// How far the net is pushed out, over the panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relief {
     /// Side of the panel, m.
-    pub(crate) side: f64,
+    pub side: f64,
     /// Heights, m, row by row from the bottom left corner, [`CELLS`] in a row.
-    pub(crate) heights: Vec<f64>,
+    pub heights: Vec<f64>,
     /// Largest height, m.
-    pub(crate) highest: f64,
+    pub highest: f64,
     /// Punch displacement at which the net was taken, m.
-    pub(crate) deflection: f64,
+    pub deflection: f64,
 }
 
 impl Relief {
