@@ -28,4 +28,31 @@ impl Curve {
             .zip(&self.force)
             .map(|(&deflection, &force)| Point { deflection, force })
     }
+
+    /// Force at a deflection (m), N: linear between the points, and on along the first or last pair
+    /// beyond them; 0 without a point.
+    pub fn force_at(&self, deflection: f64) -> f64 {
+        let (xs, ys) = (&self.deflection, &self.force);
+        if xs.len() < 2 {
+            return ys.first().copied().unwrap_or(0.0);
+        }
+        let k = xs.partition_point(|&x| x < deflection).clamp(1, xs.len() - 1);
+        ys[k - 1] + (ys[k] - ys[k - 1]) * (deflection - xs[k - 1]) / (xs[k] - xs[k - 1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_is_read_between_the_points_and_beyond_them() {
+        let curve =
+            Curve { deflection: vec![0.1, 0.2, 0.4], force: vec![10.0, 30.0, 40.0], failure: None };
+        let read = [0.0, 0.1, 0.15, 0.2, 0.3, 0.5].map(|at| curve.force_at(at));
+        for (read, by_hand) in read.iter().zip([-10.0, 10.0, 20.0, 30.0, 35.0, 45.0]) {
+            assert!((read - by_hand).abs() < 1e-12, "{read} {by_hand}");
+        }
+        assert_eq!(Curve::default().force_at(0.1), 0.0);
+    }
 }

@@ -50,23 +50,13 @@ pub(crate) fn errors(outcome: &RunOutcome, reference: &RunOutcome) -> Option<Err
         .curve
         .points()
         .filter(|p| p.deflection < end)
-        .map(|p| (p.force - force_at(reference, p.deflection)).abs())
+        .map(|p| (p.force - reference.curve.force_at(p.deflection)).abs())
         .fold(0.0, f64::max);
     Some(Errors {
         force: a.force / b.force - 1.0,
         deflection: a.deflection / b.deflection - 1.0,
         curve: curve / b.force,
     })
-}
-
-/// Force of a curve between its points, N.
-pub fn force_at(outcome: &RunOutcome, x: f64) -> f64 {
-    let (xs, ys) = (&outcome.curve.deflection, &outcome.curve.force);
-    if xs.len() < 2 {
-        return ys.first().copied().unwrap_or(0.0);
-    }
-    let k = xs.partition_point(|&d| d < x).clamp(1, xs.len() - 1);
-    ys[k - 1] + (ys[k] - ys[k - 1]) * (x - xs[k - 1]) / (xs[k] - xs[k - 1])
 }
 
 /// One row of the table.

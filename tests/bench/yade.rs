@@ -8,7 +8,6 @@
 use meshcast::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, SceneSpec, Test, check};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
-use meshcast::study::bench::force_at;
 use meshcast::study::clock::thread_seconds;
 
 /// A published run.
@@ -91,7 +90,7 @@ fn main() {
             let gap = published
                 .iter()
                 .filter(|p| p.0 > 0.1 && p.0 < last)
-                .map(|p| (force_at(&ours, p.0) - p.1).abs() / most)
+                .map(|p| (ours.curve.force_at(p.0) - p.1).abs() / most)
                 .fold(0.0, f64::max);
             println!(
                 "{:<36} {:<10} {:>9.3} {:>9.0} {:>+8.2} {:>+8.2} {:>8.2}",

@@ -9,7 +9,6 @@
 use super::rounded;
 use crate::curve::{Curve, Point};
 use crate::dem::RunOutcome;
-use crate::study::bench::force_at;
 use crate::study::ensemble::{Run, Spread};
 use crate::units::{from_kn, to_kn};
 
@@ -78,7 +77,7 @@ fn on_its_way(outcome: &RunOutcome, part: f64) -> Point {
     // Before the first mean of two millimetres the force grows from nothing.
     let force = match first {
         Some(p) if deflection < p.deflection => p.force * deflection / p.deflection,
-        _ => force_at(outcome, deflection),
+        _ => outcome.curve.force_at(deflection),
     };
     Point { deflection, force: force.max(0.0) }
 }
