@@ -1,7 +1,7 @@
 //! The help: made from the key map, the section of the screen it was asked on first. It lies over
 //! any screen and gives it back.
 
-use super::keymap::{self, Action, Context};
+use super::keymap::{self, Context};
 use super::pages::{PageLine, TextPage, method};
 use super::{App, Mode};
 
@@ -65,10 +65,9 @@ pub(crate) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
 fn keys(page: &mut TextPage, context: Context, all: bool) {
     page.heading(context.heading());
     // What holds on every screen is said once, with the main screen.
-    let everywhere = [Action::Redraw, Action::Suspend, Action::Help];
-    let said = |a| {
-        let shared = !all && keymap::shared(context, a);
-        shared || context != Context::Main && everywhere.contains(&a)
+    let said = |action| {
+        let shared = !all && keymap::shared(context, action);
+        shared || context != Context::Main && keymap::everywhere(action)
     };
     for b in keymap::of(context).filter(|b| !said(b.action)) {
         let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();

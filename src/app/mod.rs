@@ -100,7 +100,7 @@ pub enum Mode {
         stop: usize,
     },
     /// A page of a study.
-    Study(studies::StudyPage),
+    Study(keymap::StudyPage),
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
         /// The kept project.

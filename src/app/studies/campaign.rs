@@ -3,8 +3,9 @@
 //! could be taken for current.
 
 use super::super::App;
+use super::super::keymap::StudyPage;
 use super::super::message::Command;
-use super::StudyPage;
+
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::job::campaign::Campaign;
 use crate::job::order::{News, Progress, Task, What};

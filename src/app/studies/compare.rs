@@ -1,7 +1,8 @@
 //! All layouts side by side, sorted by any column.
 
+use super::super::keymap::Ask;
 use super::super::{App, Mode};
-use super::Ask;
+
 use crate::study::checks::figures::Figures;
 use crate::study::compare::{Column, Comparison, compare};
 use std::cmp::Ordering;

@@ -1,11 +1,12 @@
 //! Which plate, spacing or punch just meets the design values of the selected layout.
 
-use super::super::App;
 use super::super::entry::{EditTarget, LineEntry};
 use super::super::field::Field;
+use super::super::keymap::{Ask, StudyPage};
+use super::super::{App, Mode};
 use super::campaign::Coverage;
 use super::typed::Typed;
-use super::{Ask, Mode, StudyPage};
+
 use crate::fingerprint::Fingerprint;
 use crate::study::case::{Case, CaseValue, Input};
 use crate::study::checks::CheckAnswer;

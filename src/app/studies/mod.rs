@@ -16,7 +16,7 @@ pub(crate) mod typed;
 use super::entry::{EditTarget, LineEntry};
 use super::field::Field;
 use super::key::{Code, Key};
-use super::keymap::{Action, Context};
+use super::keymap::{Action, Ask, StudyPage};
 use super::message::Command;
 use super::{App, Mode, derived};
 use crate::dem::Fidelity;
@@ -25,80 +25,6 @@ use crate::study::sensitivity::Effect as Shown;
 use crate::units::significant;
 use campaign::Campaigns;
 use std::sync::Arc;
-
-/// A page of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum StudyPage {
-    /// How the answer moves with each input.
-    Sensitivity,
-    /// One input over a range, or two over a map.
-    Sweep,
-    /// The layouts side by side.
-    Compare,
-    /// What just meets the design values.
-    Design,
-}
-
-impl StudyPage {
-    /// The word for headings and messages.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            StudyPage::Sensitivity => "sensitivity",
-            StudyPage::Sweep => "sweep",
-            StudyPage::Compare => "compare",
-            StudyPage::Design => "design",
-        }
-    }
-
-    /// The screen whose keys hold on it.
-    pub(crate) fn context(self) -> Context {
-        match self {
-            StudyPage::Sensitivity => Context::Sensitivity,
-            StudyPage::Sweep => Context::Sweep,
-            StudyPage::Compare => Context::Compare,
-            StudyPage::Design => Context::Design,
-        }
-    }
-}
-
-/// What a key can ask for on a page of a study, besides what it asks for elsewhere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Ask {
-    /// Open a page.
-    Open(StudyPage),
-    /// Go to the next column.
-    NextColumn,
-    /// Go to the previous column.
-    PreviousColumn,
-    /// Sort by the next column.
-    SortNext,
-    /// Sort by the previous column.
-    SortPrevious,
-    /// Sort the other way round.
-    Reverse,
-    /// Show the next of force, deflection and utilisation.
-    NextValue,
-    /// Mark the next point.
-    MarkNext,
-    /// Mark the previous point.
-    MarkPrevious,
-    /// Vary a second input, or stop.
-    SecondInput,
-    /// The same by a digit, which on a range begins a value.
-    Two,
-    /// Show the checks of a map instead of its forecast, or the other way round.
-    Layer,
-    /// Take the marked point into the layout.
-    Adopt,
-    /// Type the design force.
-    DesignForce,
-    /// Type the allowable deflection.
-    AllowableDeflection,
-    /// Type the partial factor on the load.
-    LoadFactor,
-    /// Type the partial factor on the resistance.
-    ResistanceFactor,
-}
 
 /// All that the state knows of studies. It outlives the pages, so that a page comes back as it was.
 #[derive(Debug, Default)]

@@ -1,8 +1,9 @@
 //! The sensitivity of the selected layout: forecast at once, checks where they were asked for.
 
 use super::super::App;
+use super::super::keymap::{Ask, StudyPage};
 use super::campaign::Coverage;
-use super::{Ask, StudyPage, neighbour};
+use super::neighbour;
 use crate::study::case::Case;
 use crate::study::checks::CheckAnswer;
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};

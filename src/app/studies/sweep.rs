@@ -1,13 +1,14 @@
 //! One input over a range, or two over a map, of the selected layout: forecast at once, checks one
 //! after the other where they were asked for.
 
-use super::super::App;
 use super::super::entry::{EditTarget, LineEntry};
 use super::super::field::{Field, StepSize};
+use super::super::keymap::{Ask, StudyPage};
 use super::super::message::Command;
+use super::super::{App, Mode};
 use super::campaign::Coverage;
+use super::neighbour;
 use super::typed::Typed;
-use super::{Ask, Mode, StudyPage, neighbour};
 use crate::fingerprint::Fingerprinter;
 use crate::problem::Problem;
 use crate::study::case::{Case, CaseValue, Input};

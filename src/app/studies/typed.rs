@@ -2,7 +2,8 @@
 
 use super::super::App;
 use super::super::field::Field;
-use super::StudyPage;
+use super::super::keymap::StudyPage;
+
 use super::sweep::Slot;
 
 /// What a typed text is for.

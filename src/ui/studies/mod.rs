@@ -10,7 +10,7 @@ pub(crate) mod sweep;
 use super::text::{clear, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::studies::StudyPage;
+use crate::app::keymap::StudyPage;
 use crate::job::pace::duration;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;

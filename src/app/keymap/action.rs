@@ -1,0 +1,122 @@
+//! What a key can ask for.
+
+use super::context::Context;
+
+/// What a key can ask for. What that is stands with its keys, in [`super::table`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Action {
+    FieldUp,
+    FieldDown,
+    StepDown,
+    StepUp,
+    CoarseDown,
+    CoarseUp,
+    Type,
+    Clear,
+    NextLayout,
+    PreviousLayout,
+    Add,
+    Duplicate,
+    Rename,
+    Note,
+    Delete,
+    MoveUp,
+    MoveDown,
+    Overlay,
+    PickMesh,
+    Branch,
+    Units,
+    Undo,
+    Redo,
+    Save,
+    Command,
+    Details,
+    Help,
+    Suspend,
+    Redraw,
+    Quit,
+    Up,
+    Down,
+    PageUp,
+    PageDown,
+    Take,
+    Close,
+    SaveAndQuit,
+    Discard,
+    Overwrite,
+    Restore,
+    Check,
+    CheckAll,
+    Live,
+    Fidelity,
+    Stop,
+    Export,
+    NextWord,
+    PreviousWord,
+    Open,
+    SaveAndOpen,
+    CopyAnswer,
+    CopyTable,
+    CopyPage,
+    NextStop,
+    PreviousStop,
+    Study(Ask),
+}
+
+/// A page of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StudyPage {
+    /// How the answer moves with each input.
+    Sensitivity,
+    /// One input over a range, or two over a map.
+    Sweep,
+    /// The layouts side by side.
+    Compare,
+    /// What just meets the design values.
+    Design,
+}
+
+impl StudyPage {
+    /// The word for headings and messages.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            StudyPage::Sensitivity => "sensitivity",
+            StudyPage::Sweep => "sweep",
+            StudyPage::Compare => "compare",
+            StudyPage::Design => "design",
+        }
+    }
+
+    /// The screen whose keys hold on it.
+    pub(crate) fn context(self) -> Context {
+        match self {
+            StudyPage::Sensitivity => Context::Sensitivity,
+            StudyPage::Sweep => Context::Sweep,
+            StudyPage::Compare => Context::Compare,
+            StudyPage::Design => Context::Design,
+        }
+    }
+}
+
+/// What a key can ask for on a page of a study, besides what it asks for elsewhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Ask {
+    Open(StudyPage),
+    NextColumn,
+    PreviousColumn,
+    SortNext,
+    SortPrevious,
+    Reverse,
+    NextValue,
+    MarkNext,
+    MarkPrevious,
+    SecondInput,
+    /// The same as [`Ask::SecondInput`], but by a digit, which on a range begins a value.
+    Two,
+    Layer,
+    Adopt,
+    DesignForce,
+    AllowableDeflection,
+    LoadFactor,
+    ResistanceFactor,
+}
