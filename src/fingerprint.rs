@@ -3,6 +3,16 @@
 //!
 //! FNV-1a, 64 bits: the same on every machine and in every version of the language's library. It
 //! tells inputs apart; it is no protection against someone who wants two of them to look alike.
+//!
+//! Prints are kept in files, so they must outlive the program that made them:
+//!
+//! - what every result of a kind has had from the first is taken by its place (`text`, `number`,
+//!   `optional`, `flag`), and that list never changes;
+//! - what may be at a default, and every input that is added later, is taken by its name
+//!   ([`Fingerprinter::with`], [`Fingerprinter::given`]), and at its default adds nothing: a new input
+//!   leaves the prints of all that do not use it as they were. Names stand in one order, new ones last;
+//! - what decides how a result is computed, and is no input, is told by revisions beside the print (see
+//!   [`crate::study::result::Revisions`]), never by the program's version or commit.
 
 use std::fmt;
 
@@ -16,7 +26,7 @@ impl fmt::Display for Fingerprint {
     }
 }
 
-/// Gathers inputs, in an order that the caller keeps.
+/// Gathers inputs, in an order that the caller keeps for ever; see the head of this file.
 #[derive(Debug, Clone)]
 pub(crate) struct Fingerprinter(u64);
 
@@ -51,6 +61,26 @@ impl Fingerprinter {
     /// Takes a yes or no.
     pub(crate) fn flag(self, yes: bool) -> Self {
         self.bytes(&[u8::from(yes)])
+    }
+
+    /// Takes an input by its name; at its default it adds nothing.
+    ///
+    /// Numbers are taken as the shortest text that reads back as the same number.
+    pub(crate) fn with<T: PartialEq + fmt::Display>(
+        self,
+        name: &str,
+        value: T,
+        default: T,
+    ) -> Self {
+        self.given(name, (value != default).then_some(value))
+    }
+
+    /// Takes an input by its name, where it is given; a missing one adds nothing.
+    pub(crate) fn given(self, name: &str, value: Option<impl fmt::Display>) -> Self {
+        match value {
+            Some(value) => self.text(name).text(&value.to_string()),
+            None => self,
+        }
     }
 
     /// The fingerprint of all that was taken.
@@ -88,5 +118,26 @@ mod tests {
         assert_ne!(zero(0.0), zero(f64::MIN_POSITIVE));
         let maybe = |v| Fingerprinter::new("").optional(v).finish();
         assert_ne!(maybe(None), maybe(Some(0.0)));
+    }
+    #[test]
+    fn a_named_input_at_its_default_adds_nothing() {
+        let base = Fingerprinter::new("").number(1.0);
+        let plain = base.clone().finish();
+        assert_eq!(
+            base.clone().with("stagger", false, false).given("Lx", None::<f64>).finish(),
+            plain
+        );
+        assert_eq!(base.clone().with("ex", -0.0, 0.0).finish(), plain);
+        let all = [
+            plain,
+            base.clone().with("ex", 0.1, 0.0).finish(),
+            base.clone().with("ey", 0.1, 0.0).finish(),
+            base.clone().with("ex", 0.1 + f64::EPSILON, 0.0).finish(),
+            base.clone().given("ez", Some(0.0)).finish(),
+            base.with("ex", 0.1, 0.0).with("ey", 0.1, 0.0).finish(),
+        ];
+        for (k, one) in all.iter().enumerate() {
+            assert!(!all[..k].contains(one), "{k}");
+        }
     }
 }

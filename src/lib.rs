@@ -40,6 +40,7 @@ pub mod ui;
 pub mod units;
 pub mod words;
 
-/// Version and commit of the program, which every result that is kept carries:
-/// `0.1.0 (abcdef123456)`.
+/// Version and commit of the program, as reports and machine-readable results name them:
+/// `0.1.0 (abcdef123456)`. A check that a project keeps carries revisions instead, see
+/// [`study::result::Revisions`].
 pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("MESHCAST_COMMIT"), ")");

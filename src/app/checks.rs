@@ -72,7 +72,7 @@ pub enum Standing {
     Current,
     /// Live, of the inputs as they are; `true` while runs are to come.
     Live(bool),
-    /// Of other inputs, or made by another version of the program.
+    /// Of other inputs, or made by another revision of solver or sampling.
     Stale,
 }
 

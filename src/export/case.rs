@@ -22,7 +22,7 @@ pub struct Case {
     pub question: Question,
     /// The answer; missing where nothing is asked or there is no field value.
     pub design: Option<Answer>,
-    /// Fingerprint of all inputs, the same as in the result of `meshcast forecast`.
+    /// Fingerprint of the forecast's inputs, the same as in the result of `meshcast forecast`.
     pub fingerprint: Fingerprint,
 }
 
@@ -53,7 +53,7 @@ impl Case {
         let forecast = forecast(&layout, &mesh, entry.branch).map_err(placed)?;
         let asked = question != Question::default();
         let design = forecast.field.filter(|_| asked).map(|field| answer(&field, &question));
-        let fingerprint = of_inputs(&layout, &mesh, entry.branch, &question);
+        let fingerprint = of_inputs(&layout, &mesh, entry.branch);
         Ok(Case { entry: entry.clone(), mesh, forecast, question, design, fingerprint })
     }
 }

@@ -6,7 +6,7 @@ use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
 use crate::study::result::make::fingerprint;
 use crate::study::result::places::Places;
-use crate::study::result::{CheckResult, VERSION};
+use crate::study::result::{CheckResult, Revisions};
 use crate::units::LengthUnit;
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
@@ -124,12 +124,12 @@ fn notes(case: &Case, v: &CheckResult, unit: LengthUnit, file: &str, stale: bool
         v.wanted.fidelity.word(),
         v.wanted.seed
     );
-    let by = if v.version == VERSION {
-        format!("version {}", v.version)
+    let other = if v.by == Revisions::CURRENT {
+        String::new()
     } else {
-        format!("version {}, another than the one that wrote this", v.version)
+        format!(" (this was written by {})", Revisions::CURRENT)
     };
-    notes.push(format!("made by {by}, inputs {}; made again by: {repeat}", v.inputs));
+    notes.push(format!("made by {}{other}, inputs {}; made again by: {repeat}", v.by, v.inputs));
     notes
 }
 

@@ -5,39 +5,43 @@ use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 
-/// Fingerprint of all that decides a forecast and its design answer: layout, branch rule, question,
-/// and of the mesh what the closed form uses. What a mesh is called or where its values come from
-/// decides nothing but its identifier, which stands in the result. The map and the equations are
-/// the program's own; its version stands for them.
-pub(crate) fn of_inputs(
-    layout: &Layout,
-    mesh: &MeshType,
-    rule: BranchRule,
-    question: &Question,
-) -> Fingerprint {
+/// Fingerprint of all that decides a forecast: layout, branch rule, and of the mesh what the closed form
+/// uses. The design question is none of it: it asks something of a forecast and changes no number of it.
+/// What a mesh is called or where its values come from decides nothing but its identifier, which stands
+/// in the result. The map and the equations are the program's own; its version, which a printed result
+/// carries, stands for them.
+pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> Fingerprint {
     let lab = &mesh.laboratory;
     let own = mesh.ratios.as_ref();
     Fingerprinter::new("forecast")
         .number(layout.plate)
         .number(layout.spacing)
         .number(layout.punch)
-        .number(layout.ex)
-        .number(layout.ey)
-        .text(rule.word())
         .text(&mesh.id)
-        .flag(mesh.reference)
-        .flag(mesh.example)
         .number(lab.force)
         .number(lab.deflection)
         .text(lab.statistic.word())
         .number(lab.panel)
         .number(lab.punch)
-        .optional(own.map(|r| r.force))
-        .optional(own.map(|r| r.deflection))
-        .optional(question.force)
-        .optional(question.deflection)
-        .number(question.gamma_resistance)
-        .number(question.gamma_load)
+        .with("ex", layout.ex, 0.0)
+        .with("ey", layout.ey, 0.0)
+        .with("branch", rule.word(), BranchRule::Published.word())
+        .with("reference", mesh.reference, false)
+        .with("example", mesh.example, false)
+        .given("alpha_F", own.map(|r| r.force))
+        .given("alpha_delta", own.map(|r| r.deflection))
+        .finish()
+}
+
+/// Fingerprint of a forecast, given by its own, with what is asked of it: of a study's answer, which
+/// depends on both.
+pub(crate) fn of_question(forecast: Fingerprint, question: &Question) -> Fingerprint {
+    Fingerprinter::new("question")
+        .text(&forecast.to_string())
+        .given("force", question.force)
+        .given("deflection", question.deflection)
+        .with("gamma_resistance", question.gamma_resistance, 1.0)
+        .with("gamma_load", question.gamma_load, 1.0)
         .finish()
 }
 
@@ -45,27 +49,38 @@ pub(crate) fn of_inputs(
 mod tests {
     use super::*;
     use crate::layout::REFERENCE;
-    use crate::mesh::catalogue;
+    use crate::mesh::{RatioRecord, catalogue};
 
     #[test]
     fn every_input_counts() {
         let mesh = catalogue::reference();
-        let (rule, question) = (BranchRule::Published, Question::default());
-        let base = of_inputs(&REFERENCE, &mesh, rule, &question);
-        assert_eq!(base, of_inputs(&REFERENCE, &mesh.clone(), rule, &question));
+        let rule = BranchRule::Published;
+        let base = of_inputs(&REFERENCE, &mesh, rule);
+        assert_eq!(base, of_inputs(&REFERENCE, &mesh.clone(), rule));
         let swapped = Layout { ex: 0.1, ..REFERENCE };
         let other = Layout { ey: 0.1, ..REFERENCE };
         let mut stronger = (*mesh).clone();
         stronger.laboratory.force += 1.0;
-        let asked = Question { force: Some(1000.0), ..question };
+        let mut mixed = (*mesh).clone();
+        mixed.ratios = Some(RatioRecord { force: 2.0, deflection: 1.5, source: String::new() });
+        let mut example = (*mesh).clone();
+        example.example = true;
         let all = [
             base,
-            of_inputs(&swapped, &mesh, rule, &question),
-            of_inputs(&other, &mesh, rule, &question),
-            of_inputs(&REFERENCE, &stronger, rule, &question),
-            of_inputs(&REFERENCE, &mesh, BranchRule::Conservative, &question),
-            of_inputs(&REFERENCE, &mesh, rule, &asked),
+            of_inputs(&swapped, &mesh, rule),
+            of_inputs(&other, &mesh, rule),
+            of_inputs(&REFERENCE, &stronger, rule),
+            of_inputs(&REFERENCE, &mesh, BranchRule::Conservative),
+            of_inputs(&REFERENCE, &mixed, rule),
+            of_inputs(&REFERENCE, &example, rule),
         ];
+        let [none, plain] = [Question::default(); 2];
+        let factored = Question { gamma_load: 1.5, ..none };
+        let asked = Question { force: Some(1000.0), ..none };
+        let allowed = Question { deflection: Some(1000.0), ..none };
+        assert_eq!(of_question(base, &none), of_question(base, &plain));
+        let all = all.into_iter().chain([none, factored, asked, allowed].map(|q| of_question(base, &q)));
+        let all: Vec<Fingerprint> = all.collect();
         let different: std::collections::BTreeSet<u64> = all.iter().map(|f| f.0).collect();
         assert_eq!(different.len(), all.len());
     }

@@ -11,7 +11,7 @@ use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
-use crate::study::result::{CheckResult, FirstBreak, Wanted, mean, rounded};
+use crate::study::result::{CheckResult, FirstBreak, Revisions, Wanted, mean, rounded};
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,7 @@ const MOST_BREAKS: usize = 10_000;
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename = "Check", deny_unknown_fields)]
 struct Kept {
-    /// Program's version and fingerprint of all inputs.
+    /// Revisions of solver and sampling, and fingerprint of all inputs.
     by: String,
     inputs: String,
     fidelity: Fidelity,
@@ -76,7 +76,7 @@ fn spread_back(v: [f64; 5], unit: fn(f64) -> f64) -> Spread {
 pub(crate) fn write(v: &CheckResult) -> String {
     let q = &v.quality;
     let kept = Kept {
-        by: v.version.clone(),
+        by: v.by.to_string(),
         inputs: v.inputs.to_string(),
         fidelity: v.wanted.fidelity,
         asked: v.wanted.runs.unwrap_or(0),
@@ -176,7 +176,7 @@ fn back(k: Kept) -> Result<CheckResult, &'static str> {
             seed: k.seed,
         },
         inputs: Fingerprint(inputs),
-        version: k.by,
+        by: Revisions::from_text(&k.by),
         runs: k.runs,
         slipped: k.slipped,
         force: spread_back(k.force, from_kn),

@@ -7,7 +7,7 @@
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question, answer};
 use crate::forecast::field::Branch;
-use crate::forecast::fingerprint::of_inputs;
+use crate::forecast::fingerprint::{of_inputs, of_question};
 use crate::forecast::warning::{PLATE, PUNCH, PublishedRange, SPACING, Warning, Weight};
 use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
@@ -109,9 +109,14 @@ impl Case {
         case
     }
 
-    /// The fingerprint of its inputs: that of its forecast.
+    /// The fingerprint of its forecast's inputs; what is asked of the forecast is none of them.
     pub(crate) fn fingerprint(&self) -> Fingerprint {
-        of_inputs(&self.layout, &self.mesh, self.rule, &self.question)
+        of_inputs(&self.layout, &self.mesh, self.rule)
+    }
+
+    /// The fingerprint of its forecast's inputs and of what is asked of it.
+    pub(crate) fn question_fingerprint(&self) -> Fingerprint {
+        of_question(self.fingerprint(), &self.question)
     }
 }
 

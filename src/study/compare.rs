@@ -194,7 +194,7 @@ impl Comparison {
         let taken = self
             .rows
             .iter()
-            .fold(all, |of, row| of.text(&row.name).text(&row.case.fingerprint().to_string()));
+            .fold(all, |of, row| of.text(&row.name).text(&row.case.question_fingerprint().to_string()));
         taken.finish()
     }
 

@@ -13,6 +13,12 @@ use crate::problem::Problem;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+/// Revision of the sampling. Raise it with every change after which the same runs are drawn otherwise,
+/// are not as many, or give other figures of the whole: seeds, alignments, the rule that ends an
+/// ensemble, which runs count, means, bands, the mean curve, rounding. A kept check carries it and is
+/// stale under another one; a test in [`super::result::revisions`] ties it to exact values.
+pub(crate) const REVISION: u32 = 1;
+
 /// Runs made at least, where the caller does not say how many.
 pub(crate) const LEAST: usize = 8;
 /// Runs made at most.

@@ -6,7 +6,9 @@ use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::mesh::wire::{CurvePoint, Slack};
 
 /// Fingerprint of all that decides an ensemble's numbers: scene, controls and plan. The number of
-/// threads and the instruction set decide nothing; where wires come from does neither.
+/// threads and the instruction set decide nothing; where wires come from does neither. Files of users
+/// hold such prints: what is here stays, and a new input is added at the end by its name
+/// ([`Fingerprinter::with`]).
 pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) -> Fingerprint {
     let (layout, net, d) = (&spec.layout, &spec.wire.net, &spec.wire.distortion);
     let anchored = spec.test == Test::Anchored;

@@ -93,10 +93,10 @@ fn words(line: &str) -> Vec<String> {
 
 /// The table while it is made.
 #[derive(Default)]
-pub struct Table(Vec<Case>);
+pub(crate) struct Table(Vec<Case>);
 
 impl Table {
-    pub fn add(&mut self, name: impl Into<String>, line: impl AsRef<str>) {
+    pub(crate) fn add(&mut self, name: impl Into<String>, line: impl AsRef<str>) {
         self.0.push(Case { name: name.into(), arguments: words(line.as_ref()) });
     }
 
@@ -109,7 +109,7 @@ impl Table {
 }
 
 /// All cases, the slow ones first so that no thread is left alone with one at the end.
-pub fn all() -> Vec<Case> {
+pub(crate) fn all() -> Vec<Case> {
     let mut table = Table::default();
     slow(&mut table);
     forecasts(&mut table);

@@ -4,7 +4,7 @@
 const AROUND: usize = 60;
 
 /// Nothing if they are the same bytes.
-pub fn first(expected: &str, got: &str) -> Option<String> {
+pub(crate) fn first(expected: &str, got: &str) -> Option<String> {
     if expected == got {
         return None;
     }

@@ -107,7 +107,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("validate-flags-without-dem", "validate --seed 3"),
 ];
 
-pub fn add(table: &mut Table) {
+pub(crate) fn add(table: &mut Table) {
     for (name, line) in REFUSED {
         table.add(format!("error-{name}"), line);
     }

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
 /// Standard output, or a file.
-pub fn output(text: &str) -> String {
+pub(crate) fn output(text: &str) -> String {
     let mut text = version(text);
     for field in ["\"wall_ms\":", "\"times_faster_than_plain\":"] {
         text = number_after(&text, field);
@@ -35,7 +35,7 @@ fn pictures(text: &str) -> String {
 }
 
 /// Standard error: of progress only the last word, and that without its time.
-pub fn errors(text: &str) -> String {
+pub(crate) fn errors(text: &str) -> String {
     let mut masked = String::new();
     for line in version(text).split_inclusive('\n') {
         match line.strip_prefix("progress: ") {

@@ -17,7 +17,7 @@ fn binary() -> OsString {
 }
 
 /// Exit code, both streams and the files it left, without what differs from run to run.
-pub fn output(case: &Case) -> String {
+pub(crate) fn output(case: &Case) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let keep = tempfile::tempdir().unwrap();
     let top = keep.path().canonicalize().unwrap();

@@ -5,6 +5,7 @@
 mod calibrated;
 mod determinism;
 mod net;
+mod revisions;
 mod single_bond;
 mod small_systems;
 mod solvers;

@@ -239,12 +239,12 @@ fn a_check_grows_on_the_chart_while_it_runs() {
 }
 
 #[test]
-fn a_result_of_another_version_is_stale() {
+fn a_result_of_another_solver_is_stale() {
     let mut app = app();
     check(&mut app, "c");
     let mut project = (**app.project()).clone();
     let mut older = (*project.layouts[0].check.clone().unwrap()).clone();
-    older.version = "0.0.1".into();
+    older.by.solver += 1;
     project.layouts[0].check = Some(older.into());
     let app = start(project, (80, 24), COLOR);
     assert!(app.shown_check().unwrap().stale() && text(&app).contains("stale"));

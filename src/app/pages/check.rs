@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::app::checks::{LIVE_RUNS, Standing};
 use crate::dem::outcome::Quality;
 use crate::study::result::places::Places;
-use crate::study::result::{CheckResult, VERSION};
+use crate::study::result::{CheckResult, Revisions};
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
 /// All there is to know of the check shown.
@@ -22,8 +22,8 @@ pub(crate) fn section(page: &mut TextPage, app: &App) {
         &match shown.standing {
             Standing::Current => "for the inputs as they are".to_string(),
             Standing::Live(_) => format!("live, {LIVE_RUNS} quick runs; c makes one that is kept"),
-            Standing::Stale if v.version != VERSION => {
-                format!("stale: made by version {}; c makes it again", v.version)
+            Standing::Stale if v.by != Revisions::CURRENT => {
+                format!("stale: made by {}, now {}; c makes it again", v.by, Revisions::CURRENT)
             }
             Standing::Stale => "stale: the inputs have changed since; c makes it again".into(),
         },

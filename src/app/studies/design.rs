@@ -149,7 +149,7 @@ impl App {
 
     /// The solutions, made anew only where something changed.
     fn solved(&mut self, case: &Case, requirement: Requirement) -> Arc<Vec<Solution>> {
-        let of = case.fingerprint();
+        let of = case.question_fingerprint();
         if let Some((inputs, what, solutions)) = &self.studies.design.solved
             && (*inputs, *what) == (of, requirement)
         {

@@ -190,7 +190,7 @@ impl<'a> Report<'a> {
         Report {
             head: Head::of(
                 s.name.as_deref(),
-                s.case.fingerprint(),
+                s.case.question_fingerprint(),
                 InputsJson::of(&s.case.layout, &s.case.mesh, s.case.rule),
             ),
             question: QuestionJson::of(&s.case.question),

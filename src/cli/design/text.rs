@@ -18,7 +18,7 @@ pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
 
 fn one(s: &Solved, unit: LengthUnit) -> String {
     let mut page = Page::new(unit);
-    page.inputs("design", s.name.as_deref(), s.case.fingerprint(), &s.case);
+    page.inputs("design", s.name.as_deref(), s.case.question_fingerprint(), &s.case);
     if s.solutions.is_empty() {
         page.line("asked", "nothing: no design force, no allowable deflection");
         return page.text();

@@ -59,7 +59,7 @@ fn answered(case: Case) -> Result<Answered, Fault> {
     let rule = case.entry.branch;
     let forecast = forecast(&layout, &case.mesh, rule)
         .map_err(|found| Fault::Input(found.iter().map(|p| p.to_string()).collect()))?;
-    let fingerprint = of_inputs(&layout, &case.mesh, rule, &question);
+    let fingerprint = of_inputs(&layout, &case.mesh, rule);
     let design = forecast.field.filter(|_| asks(&question)).map(|field| answer(&field, &question));
     Ok(Answered { case, forecast, fingerprint, question, design })
 }

@@ -132,6 +132,19 @@ mod tests {
     }
 
     #[test]
+    fn the_prints_of_checks_in_users_files_stay_as_they_are() {
+        // From files that are out: new inputs must add nothing to these (see `crate::fingerprint`).
+        let mesh = catalogue::reference();
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let centred = Layout { plate: 0.25, spacing: 1.5, punch: 0.5, ex: 0.0, ey: 0.0 };
+        let eccentric = Layout { spacing: 1.6, ex: 0.3, ey: 0.2, ..centred };
+        for (layout, print) in [(centred, "28a5ca5d22413d32"), (eccentric, "980cac6d0df6e3b9")] {
+            let now = fingerprint(&layout, wires(&mesh).unwrap(), &wanted);
+            assert_eq!(now.to_string(), print);
+        }
+    }
+
+    #[test]
     fn a_check_that_is_ended_at_once_has_nothing() {
         let wanted = Wanted { runs: Some(2), ..Wanted::default() };
         let made =

@@ -3,6 +3,7 @@
 //! kept in a project, enough to draw and to report from.
 //!
 //! - [`make`]: a layout's ensemble, watched from outside, and its result.
+//! - [`revisions`]: which solver and sampling made it.
 //! - [`mean`]: the mean curve and its band; [`places`]: where wires broke first; [`relief`]: the shape of the deformed net.
 //!
 //! The numbers are rounded to [`DIGITS`] significant digits when a result is made, in the units in
@@ -12,6 +13,7 @@ pub mod make;
 pub(crate) mod mean;
 pub(crate) mod places;
 pub mod relief;
+pub(crate) mod revisions;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread};
 use crate::curve::{Curve, Point};
@@ -20,11 +22,10 @@ use crate::dem::outcome::Quality;
 use crate::dem::{Controls, Fidelity, Stop};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
+pub use revisions::Revisions;
 
 /// Significant digits of the numbers of a result; the method is good for three.
 pub(crate) const DIGITS: usize = 5;
-/// The program's version, which a result carries: another version may compute otherwise.
-pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What is asked of a check.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,8 +75,8 @@ pub struct CheckResult {
     pub wanted: Wanted,
     /// Fingerprint of all inputs, see [`super::inputs::of_ensemble`].
     pub inputs: Fingerprint,
-    /// Version of the program that made it.
-    pub version: String,
+    /// What made it.
+    pub by: Revisions,
     /// Runs that count: those that came to an end of their own.
     pub runs: usize,
     /// How many of them slipped through without a break.
@@ -126,7 +127,7 @@ impl CheckResult {
         CheckResult {
             wanted: wanted.clone(),
             inputs,
-            version: VERSION.to_string(),
+            by: Revisions::CURRENT,
             runs: runs.len(),
             slipped: ensemble.slipped,
             force: spread(&ensemble.force, &force),
@@ -177,10 +178,10 @@ impl CheckResult {
         self.curve.failure.is_some()
     }
 
-    /// Whether it still is what this program would find for these inputs; `now` is their fingerprint
-    /// as [`make::fingerprint`] makes it.
+    /// Whether it still is what this program would find for inputs with the fingerprint `now`, as
+    /// [`make::fingerprint`] makes it.
     pub(crate) fn current(&self, now: Fingerprint) -> bool {
-        self.inputs == now && self.version == VERSION
+        self.inputs == now && self.by == Revisions::CURRENT
     }
 }
 

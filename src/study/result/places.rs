@@ -67,7 +67,7 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::layout::REFERENCE;
     use crate::study::ensemble::Spread;
-    use crate::study::result::{FirstBreak, Wanted};
+    use crate::study::result::{FirstBreak, Revisions, Wanted};
 
     #[test]
     fn places_are_told_apart_across_the_edge_too() {
@@ -76,7 +76,7 @@ mod tests {
         let result = CheckResult {
             wanted: Wanted::default(),
             inputs: Fingerprint(0),
-            version: String::new(),
+            by: Revisions::CURRENT,
             runs: 4,
             slipped: 0,
             force: Spread::default(),

@@ -153,7 +153,7 @@ impl Grid {
     /// Fingerprint of the sweep of a case: of the case's inputs and of the axes.
     pub(crate) fn fingerprint(&self, base: &Case) -> Fingerprint {
         let mut of = Fingerprinter::new("sweep")
-            .text(&base.fingerprint().to_string())
+            .text(&base.question_fingerprint().to_string())
             .flag(self.second.is_some());
         for axis in std::iter::once(&self.first).chain(&self.second) {
             of = of
