@@ -79,7 +79,8 @@ mod tests {
         let asked = Question { force: Some(1000.0), ..none };
         let allowed = Question { deflection: Some(1000.0), ..none };
         assert_eq!(of_question(base, &none), of_question(base, &plain));
-        let all = all.into_iter().chain([none, factored, asked, allowed].map(|q| of_question(base, &q)));
+        let all =
+            all.into_iter().chain([none, factored, asked, allowed].map(|q| of_question(base, &q)));
         let all: Vec<Fingerprint> = all.collect();
         let different: std::collections::BTreeSet<u64> = all.iter().map(|f| f.0).collect();
         assert_eq!(different.len(), all.len());

@@ -191,10 +191,9 @@ impl Comparison {
     /// Fingerprint of all layouts with their names, in the project's order.
     pub(crate) fn fingerprint(&self) -> Fingerprint {
         let all = Fingerprinter::new("compare");
-        let taken = self
-            .rows
-            .iter()
-            .fold(all, |of, row| of.text(&row.name).text(&row.case.question_fingerprint().to_string()));
+        let taken = self.rows.iter().fold(all, |of, row| {
+            of.text(&row.name).text(&row.case.question_fingerprint().to_string())
+        });
         taken.finish()
     }
 

@@ -12,7 +12,7 @@ use meshcast::project;
 use meshcast::study::checks::NoCheck;
 use meshcast::study::result::make::{Made, fingerprint, wires};
 use meshcast::study::result::relief::{CELLS, Relief};
-use meshcast::study::result::{CheckResult, Wanted};
+use meshcast::study::result::{CheckResult, Revisions, Wanted};
 use std::sync::Arc;
 
 /// Runs of a check where nobody says how many.
@@ -30,6 +30,7 @@ fn invented(name: &str) -> CheckResult {
 pub(crate) fn named(name: &str, layout: &Layout, mesh: &MeshType, wanted: &Wanted) -> CheckResult {
     let mut result = invented(name);
     result.inputs = fingerprint(layout, wires(mesh).unwrap(), wanted);
+    result.by = Revisions::CURRENT;
     result.wanted = wanted.clone();
     scale(&mut result, layout);
     result

@@ -17,7 +17,7 @@ pub struct Revisions {
 
 impl Revisions {
     /// This program's.
-    pub(crate) const CURRENT: Revisions =
+    pub const CURRENT: Revisions =
         Revisions { solver: dem::REVISION, sampling: ensemble::REVISION };
     /// Those of a record that does not say any that this program can read: never current.
     const UNKNOWN: Revisions = Revisions { solver: 0, sampling: 0 };
