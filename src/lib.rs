@@ -11,8 +11,9 @@
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
-//! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles,
-//!   calibration, run time against error.
+//! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles of checks.
+//! - [`lab`]: the makers' instruments: run time against error, convergence, calibration, the paper's
+//!   own results.
 //! - [`job`]: work behind the screen: one worker, one waiting slot, progress, cancelling.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
 //! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
@@ -30,6 +31,7 @@ pub mod export;
 pub mod fingerprint;
 pub mod forecast;
 pub mod job;
+pub mod lab;
 pub mod layout;
 pub mod mesh;
 pub mod problem;

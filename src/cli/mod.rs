@@ -1,8 +1,8 @@
 //! The command line: what it takes, one file a subcommand, and exit codes.
 //!
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
-//! - [`forecast`], [`check`], [`calibrate`], [`mod@bench`], [`mesh`], [`new`], [`validate`], [`export`],
-//!   [`report`]: the subcommands; [`interactive`]: none of them.
+//! - [`forecast`], [`check`], [`mesh`], [`new`], [`export`], [`report`]: the subcommands;
+//!   [`interactive`]: none of them; [`lab`]: those of the makers, `bench`, `calibrate`, `validate`.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
 //!   forecasts of the first three.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
@@ -13,8 +13,6 @@
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
-pub(crate) mod bench;
-pub(crate) mod calibrate;
 pub(crate) mod case;
 pub(crate) mod check;
 pub(crate) mod compare;
@@ -25,6 +23,7 @@ pub(crate) mod export;
 pub(crate) mod flags;
 pub(crate) mod forecast;
 pub(crate) mod interactive;
+pub(crate) mod lab;
 pub(crate) mod mesh;
 pub(crate) mod new;
 pub(crate) mod output;
@@ -35,7 +34,6 @@ pub(crate) mod sensitivity;
 pub(crate) mod shapes;
 pub(crate) mod source;
 pub(crate) mod sweep;
-pub(crate) mod validate;
 pub(crate) mod watch;
 pub(crate) mod wire;
 
@@ -98,10 +96,10 @@ enum Command {
     Export(export::ExportArgs),
     Report(report::ReportArgs),
     Check(Box<check::CheckArgs>),
-    Calibrate(calibrate::CalibrateArgs),
-    Bench(bench::BenchArgs),
+    Calibrate(lab::calibrate::CalibrateArgs),
+    Bench(lab::bench::BenchArgs),
     Mesh(mesh::MeshArgs),
-    Validate(validate::ValidateArgs),
+    Validate(lab::validate::ValidateArgs),
 }
 
 /// Reads the command line (the program's name first), does what it says and returns the exit code.
@@ -142,10 +140,10 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Export(args) => export::run(&args, ui),
         Command::Report(args) => report::run(&args, ui),
         Command::Check(args) => check::run(&args, ui),
-        Command::Calibrate(args) => calibrate::run(&args),
-        Command::Bench(args) => bench::run(&args),
+        Command::Calibrate(args) => lab::calibrate::run(&args),
+        Command::Bench(args) => lab::bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
-        Command::Validate(args) => validate::run(&args),
+        Command::Validate(args) => lab::validate::run(&args),
     }
 }
 

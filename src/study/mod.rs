@@ -15,20 +15,13 @@
 //! - [`result`]: what a check leaves behind, and how one is made of a layout.
 //! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
 //!   comparison.
-//! - [`mod@bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob.
-//! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
-//! - [`paper`]: the paper's own results beside ensembles of ours.
 
-pub mod bench;
-pub mod calibrate;
 pub mod case;
 pub mod checks;
 pub mod clock;
 pub(crate) mod compare;
-pub(crate) mod convergence;
 pub(crate) mod ensemble;
 pub(crate) mod inputs;
-pub(crate) mod paper;
 pub mod result;
 pub mod sensitivity;
 pub mod solve;

@@ -23,13 +23,17 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),
     ("study", &[GROUND, &["dem", "forecast"]]),
+    ("lab", &[GROUND, &["dem", "forecast", "study"]]),
     ("project", &[GROUND, &["dem", "study"]]),
     ("export", &[GROUND, &["dem", "forecast", "project", "study"]]),
     ("job", &[GROUND, &["dem", "forecast", "study"]]),
     ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "study"]]),
     ("ui", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study"]]),
     ("term", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study", "ui"]]),
-    ("cli", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study", "term"]]),
+    (
+        "cli",
+        &[GROUND, &["app", "dem", "export", "forecast", "job", "lab", "project", "study", "term"]],
+    ),
 ];
 
 /// Longest file, lines.

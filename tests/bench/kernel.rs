@@ -8,7 +8,7 @@ use criterion::{Criterion, criterion_group};
 use meshcast::dem::fast::{Fast, FastOptions, Kernel, Path};
 use meshcast::dem::stepper::Stepper;
 use meshcast::dem::{Controls, Scene, SceneSpec};
-use meshcast::study::bench::scene;
+use meshcast::lab::bench::scene;
 use meshcast::study::clock::thread_seconds;
 use std::hint::black_box;
 

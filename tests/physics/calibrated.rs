@@ -2,8 +2,8 @@
 //! that the fit moves must make them again (`meshcast calibrate --force 73.3 --deflection 0.6`).
 
 use meshcast::dem::Flow;
+use meshcast::lab::calibrate::{FitOptions, FitTarget, fit};
 use meshcast::mesh::{catalogue, laws};
-use meshcast::study::calibrate::{FitOptions, FitTarget, fit};
 
 #[test]
 fn the_catalogue_has_the_wires_of_a_calibration() {

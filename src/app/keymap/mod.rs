@@ -1,6 +1,6 @@
 //! The one key map: which key does what, in which screen, and how help and hint bar say it.
 //!
-//! - [`action`]: what a key can ask for; [`context`]: the screens.
+//! - [`mod@action`]: what a key can ask for; [`context`]: the screens.
 //! - [`table`]: the keys, a line each; [`commands`]: the commands of the `:` line.
 
 mod action;

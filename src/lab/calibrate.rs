@@ -14,12 +14,12 @@
 //! function of the two scales, and Newton's method finds them: in logarithms, where both relations are
 //! nearly straight, with a Jacobian that starts from rules of thumb and learns from the trials (Broyden).
 
-use super::ensemble::{self, Ensemble, EnsembleProgress, Plan};
 use crate::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws::scaled;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
+use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan};
 
 /// A laboratory punch test to reproduce.
 #[derive(Debug, Clone, Copy, PartialEq)]

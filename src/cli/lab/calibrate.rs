@@ -1,17 +1,17 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
 
-use super::check::{fidelity, threads};
-use super::output::{CommandEnd, Fault, Format, Output, json, number, wrapped};
-use super::shapes::Pair;
-use super::watch::Watch;
-use super::{VERSION, quantity, wire};
+use crate::cli::check::{fidelity, threads};
+use crate::cli::output::{CommandEnd, Fault, Format, Output, json, number, wrapped};
+use crate::cli::shapes::Pair;
+use crate::cli::watch::Watch;
+use crate::cli::{VERSION, quantity, wire};
 use crate::dem::{Controls, Fidelity};
+use crate::lab::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit};
+use crate::lab::paper::ANCHORED;
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
 use crate::project::{self, SaveError, wire_text};
-use crate::study::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
-use crate::study::paper::ANCHORED;
 use crate::units::{shortest, significant, to_kn};
 use clap::Args;
 use serde::Serialize;
@@ -136,7 +136,7 @@ fn start(from: &str) -> std::result::Result<WireData, Fault> {
         Some(mesh) => mesh.wire.clone().ok_or_else(|| Fault::input(wire::without_wire(&mesh))),
         None if laws::find(from).is_none() && !from.contains(['.', '/', '\\']) => {
             let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
-            Err(Fault::input(super::case::unknown_mesh("--from", from, &known)))
+            Err(Fault::input(crate::cli::case::unknown_mesh("--from", from, &known)))
         }
         None => wire::named_or_file(from),
     }

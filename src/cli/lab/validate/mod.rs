@@ -5,14 +5,14 @@
 
 mod dem;
 
-use super::VERSION;
-use super::check::{fidelity, threads};
-use super::output::{CommandEnd, Format, Output, json, number, wrapped};
+use crate::cli::VERSION;
+use crate::cli::check::{fidelity, threads};
+use crate::cli::output::{CommandEnd, Format, Output, json, number, wrapped};
 use crate::dem::Fidelity;
 use crate::forecast::published::{
     PublishedComparison, TestRow, Validation, published, reference_point_factors, validate,
 };
-use crate::study::paper::PaperOptions;
+use crate::lab::paper::PaperOptions;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write;

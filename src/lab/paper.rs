@@ -4,13 +4,13 @@
 //! fit was chosen by hand with the anchored reference and the master curve in view; the rest is
 //! predicted.
 
-use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, Spread};
 use crate::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::forecast::{laboratory, master};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
+use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, Spread};
 use crate::units::from_kn;
 
 /// The paper's laboratory test: force, N, and deflection, m (section 3).

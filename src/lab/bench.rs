@@ -1,7 +1,6 @@
 //! Run time against error, measured now: the bench scenes at every fidelity against the reference
 //! fidelity, and beside each time the one of a plain double-precision explicit run.
 
-use super::clock::thread_seconds;
 use crate::dem::inertia::StepFactors;
 use crate::dem::plain::{Damping, Inertia, Plain};
 use crate::dem::run::drive;
@@ -11,6 +10,7 @@ use crate::dem::{
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
+use crate::study::clock::thread_seconds;
 use serde::Serialize;
 
 /// The bench scenes by name.

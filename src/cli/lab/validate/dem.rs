@@ -4,10 +4,10 @@ use crate::cli::output::{Fault, number, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::dem::Fidelity;
-use crate::mesh::catalogue;
-use crate::study::paper::{
+use crate::lab::paper::{
     AIM, ERROR_AIM, PaperOptions, PaperQuantity, PaperRow, SHAPE_AIM, compare as paper,
 };
+use crate::mesh::catalogue;
 use crate::units::{significant, to_kn};
 use serde::Serialize;
 use std::fmt::Write;

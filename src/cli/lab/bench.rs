@@ -1,13 +1,14 @@
 //! `meshcast bench`: run time against error of the check, measured now, as a table and a plot.
 
-use super::VERSION;
-use super::output::{CommandEnd, Fault, Format, Output, json, say, wrapped};
-use super::watch::Watch;
+use crate::cli::VERSION;
+use crate::cli::output::{CommandEnd, Fault, Format, Output, json, say, wrapped};
+use crate::cli::watch::Watch;
 use crate::dem::Flow;
+use crate::export::svg::drawing::{Anchor, Drawing, Stroke};
 use crate::fingerprint::Fingerprinter;
+use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
+use crate::lab::convergence::{self, Sizes, Tables};
 use crate::project::{SaveError, create};
-use crate::study::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
-use crate::study::convergence::{self, Sizes, Tables};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
@@ -224,67 +225,72 @@ fn plot(rows: &[BenchRow]) -> String {
     out
 }
 
+/// Size of the picture and room around the plot.
+const PICTURE: (f64, f64) = (640.0, 420.0);
+const MARGIN: f64 = 60.0;
+const COLOURS: [&str; 4] = ["#1b6ca8", "#c0392b", "#27864a", "#7d3c98"];
+
 /// The plot as SVG, with a line through the fidelities of each scene.
 fn svg(rows: &[BenchRow]) -> String {
-    const SIZE: (f64, f64) = (640.0, 420.0);
-    const MARGIN: f64 = 60.0;
     let (times, errors) = ranges(rows);
-    let at = |x: f64, y: f64| {
-        (MARGIN + x * (SIZE.0 - 2.0 * MARGIN), SIZE.1 - MARGIN - y * (SIZE.1 - 2.0 * MARGIN))
-    };
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-        SIZE.0, SIZE.1
-    );
-    for (range, across) in [(times, true), (errors, false)] {
-        let mut power = range[0];
-        while power <= range[1] + 1.0e-9 {
-            let part = (power - range[0]) / (range[1] - range[0]);
-            let ((x0, y0), (x1, y1)) = if across {
-                (at(part, 0.0), at(part, 1.0))
-            } else {
-                (at(0.0, part), at(1.0, part))
-            };
-            let (tx, ty, anchor) =
-                if across { (x0, y0 + 16.0, "middle") } else { (x0 - 6.0, y0 + 4.0, "end") };
-            let _ = write!(
-                out,
-                "<path d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\" stroke=\"#ccc\"/>\n<text x=\"{tx:.1}\" y=\"{ty:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
-                10.0_f64.powf(power)
-            );
-            power += 1.0;
-        }
-    }
-    const COLOURS: [&str; 4] = ["#1b6ca8", "#c0392b", "#27864a", "#7d3c98"];
-    for (k, name) in SCENES.iter().enumerate() {
-        let colour = COLOURS[k % COLOURS.len()];
-        let mut path = String::new();
+    let mut drawing = Drawing::new(PICTURE.0);
+    draw_grid(&mut drawing, times, errors);
+    for (name, colour) in SCENES.iter().zip(COLOURS) {
+        let mut through = Vec::new();
         for row in rows.iter().filter(|r| r.scene == *name) {
             let Some((px, py)) = place(row, times, errors) else { continue };
-            let (x, y) = at(px, py);
+            let (x, y) = on_paper(px, py);
             let plain = row.fidelity == "plain";
-            let fill = if plain { "white" } else { colour };
-            let _ = write!(
-                out,
-                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{fill}\" stroke=\"{colour}\"/>\n<text x=\"{:.1}\" y=\"{:.1}\" fill=\"{colour}\">{name} {}</text>\n",
-                x + 6.0,
-                y - 6.0,
-                row.fidelity
-            );
+            let fill = if plain { "#fff" } else { colour };
+            drawing.circle((x, y), 4.0, fill, Stroke::solid(colour, 1.0));
+            let label = format!("{name} {}", row.fidelity);
+            drawing.text((x + 6.0, y - 6.0), Anchor::Start, SMALL_TEXT, &label);
             if !plain {
-                let _ = write!(path, "{}{x:.1} {y:.1}", if path.is_empty() { 'M' } else { 'L' });
+                through.push((x, y));
             }
         }
-        let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\"/>");
+        drawing.line(&through, Stroke::solid(colour, 1.0));
     }
-    let _ = write!(
-        out,
-        "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">processor time to the first break, ms</text>\n<text x=\"16\" y=\"{2}\" transform=\"rotate(-90 16 {2})\" text-anchor=\"middle\">worst error, %</text>\n</svg>\n",
-        SIZE.0 / 2.0,
-        SIZE.1 - 16.0,
-        SIZE.1 / 2.0
-    );
-    out
+    drawing.finish(
+        PICTURE.1,
+        "Run time against error of the check",
+        "Worst error in per cent over processor time to the first break in milliseconds, both \
+         logarithmic; a line for each scene, hollow for the plain run.",
+    )
+}
+
+/// Size of the words in the picture.
+const SMALL_TEXT: f64 = 12.0;
+
+/// Where a place in the plot, each from 0 to 1, is on the paper.
+fn on_paper(x: f64, y: f64) -> (f64, f64) {
+    let (width, height) = PICTURE;
+    (MARGIN + x * (width - 2.0 * MARGIN), height - MARGIN - y * (height - 2.0 * MARGIN))
+}
+
+/// Lines at the powers of ten, with their numbers and the names of the axes.
+fn draw_grid(drawing: &mut Drawing, times: [f64; 2], errors: [f64; 2]) {
+    let thin = Stroke::solid("#ccc", 1.0);
+    // Both limits are whole powers of ten, see `ranges`.
+    let powers = |[low, high]: [f64; 2]| {
+        let count = (high - low).round();
+        (0..=count as usize)
+            .map(move |k| (k as f64 / count, 10.0_f64.powf(low + k as f64).to_string()))
+    };
+    for (part, number) in powers(times) {
+        let (x, y) = on_paper(part, 0.0);
+        drawing.line(&[(x, y), on_paper(part, 1.0)], thin);
+        drawing.text((x, y + 16.0), Anchor::Middle, SMALL_TEXT, &number);
+    }
+    for (part, number) in powers(errors) {
+        let (x, y) = on_paper(0.0, part);
+        drawing.line(&[(x, y), on_paper(1.0, part)], thin);
+        drawing.text((x - 6.0, y + 4.0), Anchor::End, SMALL_TEXT, &number);
+    }
+    let (width, height) = PICTURE;
+    let name = "processor time to the first break, ms";
+    drawing.text((width / 2.0, height - 16.0), Anchor::Middle, SMALL_TEXT, name);
+    drawing.upright((16.0, height / 2.0), SMALL_TEXT, "worst error, %");
 }
 
 /// The convergence tables as a text.
@@ -365,6 +371,9 @@ mod tests {
         assert!(plotted.contains("       1 |A"), "{plotted}");
         let drawn = svg(&rows);
         assert_eq!(drawn.matches("<circle").count(), 2);
+        // The same corner on the paper, hollow for the plain run, which is at the other corner.
+        assert!(drawn.contains("<circle cx=\"60\" cy=\"360\" r=\"4\" fill=\"#1b6ca8\""), "{drawn}");
+        assert!(drawn.contains("<circle cx=\"580\" cy=\"60\" r=\"4\" fill=\"#fff\""), "{drawn}");
         assert!(drawn.ends_with("</svg>\n"));
     }
 }

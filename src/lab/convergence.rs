@@ -6,7 +6,6 @@
 //! reference.
 
 use super::bench::{Listener, errors, scene};
-use super::ensemble::{Plan, draw};
 use crate::dem::fast::{Fast, FastOptions, Path};
 use crate::dem::hash::uniform;
 use crate::dem::run::drive;
@@ -14,6 +13,7 @@ use crate::dem::{Controls, Fidelity, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, 
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
+use crate::study::ensemble::{Plan, draw};
 use serde::Serialize;
 
 /// One row of a table.

@@ -1,0 +1,12 @@
+//! The makers' instruments: how good the check is, and where its wires come from. Nothing that an
+//! engineer's answer needs.
+//!
+//! - [`mod@bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob,
+//!   and cost against size.
+//! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
+//! - [`paper`]: the paper's own results beside ensembles of ours.
+
+pub mod bench;
+pub mod calibrate;
+pub(crate) mod convergence;
+pub(crate) mod paper;
