@@ -1,4 +1,6 @@
-//! Mistyped words: how far two are apart, and the known one that was meant.
+//! Mistyped words, and the known one that was meant.
+
+use strsim::levenshtein;
 
 /// The known word that differs least from `typed`, if it is near enough to be what was meant: at most
 /// one change for every three letters, capitals aside, or the only one that begins so.
@@ -9,7 +11,7 @@ pub(crate) fn nearest<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
         .map(|word| {
             let lower = word.to_lowercase();
             let longer = lower.chars().count().max(typed.chars().count());
-            (distance(&typed, &lower), longer, *word)
+            (levenshtein(&typed, &lower), longer, *word)
         })
         .filter(|(changes, length, _)| changes * 3 <= *length)
         .min_by_key(|(changes, ..)| *changes)
@@ -22,22 +24,6 @@ fn only_beginning<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
     let mut longer = known.iter().filter(|word| word.to_lowercase().starts_with(typed));
     let first = longer.next().filter(|_| typed.chars().count() >= 3)?;
     longer.next().is_none().then_some(*first)
-}
-
-/// Letters to insert, remove or replace to make one word of the other; capitals count.
-pub(crate) fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Tree to project: checks fields and types, and says of each problem where it stands.
 
+use super::error::Found;
 use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
 use super::text::{Group, Node, NodeKind, Shape};
 use super::{inline_mesh, kept, words};
@@ -35,22 +36,6 @@ pub(crate) const DISPLAY_FIELDS: &[&str] = &["length_unit"];
 
 /// More problems than this are not looked for; a message shows a handful.
 const MOST_FOUND: usize = 200;
-
-/// A problem and the byte where it stands.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Found {
-    /// The byte where it stands, if it has a place.
-    pub at: Option<usize>,
-    /// What is wrong, by its path in the file.
-    pub problem: Box<Problem>,
-}
-
-impl Found {
-    /// A problem at a place.
-    pub(crate) fn new(at: usize, problem: Problem) -> Self {
-        Found { at: Some(at), problem: Box::new(problem) }
-    }
-}
 
 /// Reads a tree of the current version as a project. The result is checked field by field, but not
 /// yet as a whole ([`Project::check`]).
@@ -385,5 +370,27 @@ pub(crate) fn version(text: &str, root: &Node) -> Result<u32, Found> {
             Err(found)
         }
         _ => Err(wrong("the format version is a whole number".to_string())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_and_other_names_lead_to_the_field() {
+        for (written, meant) in [
+            ("spacing", "L"),
+            ("spaceing", "L"),
+            ("l", "L"),
+            ("E_x", "ex"),
+            ("desing_force", "design_force"),
+            ("gamma_laod", "gamma_load"),
+            ("Overlay", "overlay"),
+        ] {
+            assert_eq!(words::closest(written, LAYOUT_FIELDS), Some(meant), "{written}");
+        }
+        assert_eq!(words::closest("layout", PROJECT_FIELDS), Some("layouts"));
+        assert_eq!(words::closest("weather_forecast", LAYOUT_FIELDS), None);
     }
 }

@@ -1,9 +1,11 @@
 //! An open project file: its text, the project that the text holds, and what stands on disk.
 
-use super::load::Parsed;
+use super::error::LoadError;
+use super::load::{Parsed, decode_utf8, parse_text, read_bytes};
+use super::patch::Rendered;
 use super::schema::Project;
 use super::text::Tree;
-use super::{load, patch, write};
+use super::{patch, write};
 use std::path::{Path, PathBuf};
 
 /// A project just opened.
@@ -33,18 +35,29 @@ pub struct Document {
     pub(super) migrated_from: Option<u32>,
 }
 
-/// The text of an edited project.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rendered {
-    /// The text.
-    pub text: String,
-    /// Whether the comments and the form of the old text are kept. They are, unless the text was of
-    /// a form in which the change could not be made safely; then the clean form is written.
-    pub comments_kept: bool,
+/// Opens a project file.
+///
+/// # Errors
+/// All that is wrong, as a message that fits one screen.
+pub fn load(path: &Path) -> Result<Opened, LoadError> {
+    let shown = path.display().to_string();
+    let bytes = read_bytes(path)?;
+    let text = decode_utf8(bytes, &shown)?;
+    let parsed = parse_text(&text, &shown)?;
+    Ok(Document::opened(Some(path.to_path_buf()), Some(text), parsed))
+}
+
+/// Reads a project from a text that stands in no file yet; `file_name` is for messages.
+///
+/// # Errors
+/// All that is wrong, as a message that fits one screen.
+pub fn parse(text: &str, file_name: &str) -> Result<Opened, LoadError> {
+    let parsed = parse_text(text, file_name)?;
+    Ok(Document::opened(None, None, parsed))
 }
 
 impl Document {
-    pub(super) fn opened(path: Option<PathBuf>, on_disk: Option<String>, parsed: Parsed) -> Opened {
+    fn opened(path: Option<PathBuf>, on_disk: Option<String>, parsed: Parsed) -> Opened {
         let Parsed { project, text, tree, migrated_from } = parsed;
         let document = Document { path, on_disk, text, tree, base: project.clone(), migrated_from };
         Opened { document, project }
@@ -95,5 +108,5 @@ impl Document {
 
 /// Whether a text is read as exactly this project.
 pub(super) fn holds(text: &str, project: &Project) -> bool {
-    load::parse_text(text, "").is_ok_and(|parsed| parsed.project == *project)
+    parse_text(text, "").is_ok_and(|parsed| parsed.project == *project)
 }

@@ -1,6 +1,5 @@
 //! What is said when a file cannot be opened: one screen, whatever is wrong with the file.
 
-use super::decode::Found;
 use super::text::{Tree, line_column};
 use crate::problem::Problem;
 use std::fmt;
@@ -23,6 +22,22 @@ pub enum Cause {
     Newer,
     /// The file's content is wrong.
     BadInput,
+}
+
+/// A problem and the byte where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Found {
+    /// The byte where it stands, if it has a place.
+    pub at: Option<usize>,
+    /// What is wrong, by its path in the file.
+    pub problem: Box<Problem>,
+}
+
+impl Found {
+    /// A problem at a place.
+    pub(crate) fn new(at: usize, problem: Problem) -> Self {
+        Found { at: Some(at), problem: Box::new(problem) }
+    }
 }
 
 /// One thing wrong with a file, at its place.

@@ -4,7 +4,7 @@
 //! Everything here may fail without harm: without a home directory, or with one that cannot be
 //! written, the program starts all the same and says what it cannot keep.
 
-use super::document::Opened;
+use super::document::{self, Opened};
 use super::error::LoadError;
 use super::load;
 use super::save::write_atomically;
@@ -95,7 +95,7 @@ impl Home {
     pub fn start_project(&self) -> Result<FirstProject, LoadError> {
         let mut note = None;
         if let Some(last) = self.recent().first() {
-            match load::load(last) {
+            match document::load(last) {
                 Ok(opened) => return Ok(FirstProject { opened, note: None }),
                 Err(error) => {
                     let why = error.faults.first().map_or("", |f| f.problem.message.as_str());
@@ -113,7 +113,7 @@ impl Home {
             fs::create_dir_all(dir).and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
         };
         match made {
-            Ok(()) => Ok(FirstProject { opened: load::load(&path)?, note }),
+            Ok(()) => Ok(FirstProject { opened: document::load(&path)?, note }),
             Err(_) => unsaved(note, &format!("{} cannot be written", dir.display())),
         }
     }
@@ -165,5 +165,5 @@ fn unsaved(note: Option<String>, why: &str) -> Result<FirstProject, LoadError> {
     let mut said = note.map(|n| n + " ").unwrap_or_default();
     said.push_str(why);
     said.push_str(": this is the sample, kept nowhere until you save it under a name.");
-    Ok(FirstProject { opened: load::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
+    Ok(FirstProject { opened: document::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
 }

@@ -1,7 +1,7 @@
 //! A mesh type written out in a project: read with the mesh room's own schema, with the places and
 //! the wording of this room.
 
-use super::decode::Found;
+use super::error::Found;
 use super::text::{Node, NodeKind, Shape, line_column, offset_at};
 use super::words;
 use crate::mesh::MeshType;

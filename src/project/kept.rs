@@ -2,7 +2,7 @@
 //! the file. Written by the program for the program; whoever takes the line out loses nothing but the
 //! result.
 
-use super::decode::Found;
+use super::error::Found;
 use super::inline_mesh::ron_options;
 use super::text::Node;
 use crate::curve::{Curve, Point};

@@ -1,8 +1,7 @@
 //! File to project: reads, migrates and checks, and reports all that is wrong at its place.
 
-use super::decode::{self, Found};
-use super::document::{Document, Opened};
-use super::error::{Cause, FileFault, LoadError};
+use super::decode;
+use super::error::{Cause, FileFault, Found, LoadError};
 use super::schema::{CURRENT_VERSION, Project};
 use super::text::{self, Tree, parser};
 use super::{inline_mesh, migrate};
@@ -28,27 +27,6 @@ pub(crate) struct Parsed {
     pub(crate) tree: Tree,
     /// The version of the text, where it is an older one.
     pub(crate) migrated_from: Option<u32>,
-}
-
-/// Opens a project file.
-///
-/// # Errors
-/// All that is wrong, as a message that fits one screen.
-pub fn load(path: &Path) -> Result<Opened, LoadError> {
-    let shown = path.display().to_string();
-    let bytes = read_bytes(path)?;
-    let text = decode_utf8(bytes, &shown)?;
-    let parsed = parse_text(&text, &shown)?;
-    Ok(Document::opened(Some(path.to_path_buf()), Some(text), parsed))
-}
-
-/// Reads a project from a text that stands in no file yet; `file_name` is for messages.
-///
-/// # Errors
-/// All that is wrong, as a message that fits one screen.
-pub fn parse(text: &str, file_name: &str) -> Result<Opened, LoadError> {
-    let parsed = parse_text(text, file_name)?;
-    Ok(Document::opened(None, None, parsed))
 }
 
 /// Reads a file whole, within the limit.

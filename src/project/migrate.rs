@@ -4,7 +4,7 @@
 //! gave forces in newtons: `plate`, `spacing`, `punch` for what is now `d`, `L`, `D`, and `force`
 //! in N for what is now `design_force` in kN. All else is as in version 1.
 
-use super::decode::Found;
+use super::error::Found;
 use super::patch::Edit;
 use super::text::{Node, NodeKind, Tree};
 use super::write::{self, Scale};

@@ -1,8 +1,8 @@
 //! The file a user keeps: what stands in it, how it is read, checked, changed and saved.
 //!
 //! - [`schema`]: a project in memory; [`check`]: whether it makes sense.
-//! - [`load()`], [`parse`]: file to project; [`error`]: what is said when that fails.
-//! - [`document`]: an open file; [`save`]: back to disk.
+//! - [`document`]: an open file; `load`: its text to a project; [`error`]: what is said when that
+//!   fails; [`save`]: back to disk.
 //! - [`mod@write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
 //! - `kept`: the result of a check as the file holds it.
 //! - [`wire_file`]: net and wires in a file of their own.
@@ -17,7 +17,7 @@ pub(crate) mod error;
 pub(crate) mod home;
 mod inline_mesh;
 mod kept;
-pub mod load;
+mod load;
 pub(crate) mod migrate;
 pub(crate) mod patch;
 pub(crate) mod recovery;
@@ -30,11 +30,10 @@ mod words;
 pub mod write;
 
 pub(crate) use document::Document;
-pub use document::Opened;
+pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;
 pub use home::Home;
-pub use load::{load, parse};
 pub use save::{Overwrite, SaveError, create};
 pub(crate) use save::{SaveReport, same_file, write_file};
 pub use schema::{MeshUse, NamedLayout, Project};

@@ -1,7 +1,8 @@
 //! Project to file: atomic, durable, and never over somebody else's changes.
 
-use super::document::{Document, Rendered, holds};
+use super::document::{Document, holds};
 use super::load;
+use super::patch::Rendered;
 use super::schema::Project;
 use crate::problem::Problem;
 use atomic_write_file::OpenOptions;
@@ -133,13 +134,6 @@ impl Document {
             return Err(SaveError::Exists(path.to_path_buf()));
         }
         self.write(path.to_path_buf(), &target, project, rendered, false)
-    }
-
-    /// Whether the file is still as it was opened or last saved.
-    pub fn unchanged_on_disk(&self) -> bool {
-        let Some(path) = &self.path else { return self.on_disk.is_none() };
-        let now = fs::read(path).ok();
-        now.as_deref() == self.on_disk.as_ref().map(String::as_bytes)
     }
 
     fn checked_text(&self, project: &Project) -> Result<Rendered, SaveError> {

@@ -3,8 +3,7 @@
 //! changed and kept. Comments and order of a file stay; a file that cannot be read is never replaced,
 //! but put aside.
 
-use super::decode::Found;
-use super::error::{Cause, FileFault, LoadError};
+use super::error::{Cause, FileFault, Found, LoadError};
 use super::home::Home;
 use super::load;
 use super::save::{resolve, write_atomically};
@@ -250,6 +249,7 @@ mod tests {
         for bad in ["", "(", "[1]", "3", "(speed: quick, speed: fine)", "(speed: (a: 1))"] {
             assert!(read(bad, "s", &known()).is_err(), "{bad:?}");
         }
+        assert!(read(&"{".repeat(50_000), "s", &known()).is_err());
         assert_eq!(read("()", "s", &known()).unwrap(), []);
         let quoted = read("(speed: \"fine\", runs: 12)", "s", &known()).unwrap();
         assert_eq!(quoted, [("speed".into(), "fine".into()), ("runs".into(), "12".into())]);

@@ -1,8 +1,7 @@
 //! Net and wires of a mesh in a file of their own, for the discrete element check: the `wire: (...)`
 //! of a mesh type as the whole of a RON file. `projects/wire/dt-8x10-2.7.ron` is one.
 
-use super::decode::Found;
-use super::error::{Cause, FileFault, LoadError};
+use super::error::{Cause, FileFault, Found, LoadError};
 use super::inline_mesh;
 use super::load::{decode_utf8, read_bytes};
 use super::text::{Tree, parser};
@@ -87,6 +86,8 @@ mod tests {
         assert!(e.contains("single[0]") && e.contains("comma"), "{e}");
         let e = said("Fixed(1.0)", "Fixed(3.0)");
         assert!(e.contains("slack") && e.contains("up to 1"), "{e}");
+        let deep = good.replacen("net: (", &format!("net: {}", "{".repeat(50_000)), 1);
+        assert!(parse_wire(&deep, "w.ron").unwrap_err().to_string().contains("nested too deep"));
         assert!(parse_wire(" \n", "w.ron").unwrap_err().to_string().contains("empty"));
     }
 }

@@ -184,6 +184,37 @@ fn damaged_recovery_is_refused_in_plain_words() {
     assert!(said.contains(".p.ron.recovery cannot be opened"), "{said}");
 }
 
+/// Brackets of every kind, and comments, each in the other's place: none may end the program for
+/// want of stack.
+#[test]
+fn deep_nesting_is_refused_wherever_it_stands() {
+    let openings = ["{", "[", "(", "{1:", "(a:", "Some(", "{(", "{Some([", "{{1:2}:", "/*"];
+    let places = [
+        ("", ""),
+        ("(version: 1, name: \"p\", layouts: [", ")"),
+        ("(version: 1, name: \"p\", layouts: [(name: \"a\", d: 0.3, L: 3, D: 1, check: (", ")"),
+        ("(version: 1, name: \"p\", layouts: [], meshes: [(id: \"m\", wire: ", ")"),
+        ("(version: 1, name: \"p\", layouts: [], display: (", ")"),
+    ];
+    for opening in openings {
+        for (before, behind) in places {
+            let text = format!("{before}{}{behind}", opening.repeat(50_000));
+            let said = project::parse(&text, "deep").unwrap_err().to_string();
+            let known = ["nested too deep", "name is expected", "a colon is missing"];
+            assert!(known.iter().any(|k| said.contains(k)), "{opening} behind {before}: {said}");
+        }
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(Some(dir.path().to_path_buf()));
+    let (_, opened) = open_copy(dir.path());
+    let deep = "{".repeat(50_000);
+    fs::write(dir.path().join("state.ron"), format!("(recent: {deep}")).unwrap();
+    assert!(home.recent().is_empty() && home.start_project().is_ok());
+    fs::write(dir.path().join(".p.ron.recovery"), &deep).unwrap();
+    let found = opened.document.find_recovery(&home).unwrap();
+    assert!(opened.document.recover(&found).is_err());
+}
+
 /// A hostile file must not keep the program busy: the time grows with the size and no faster.
 #[test]
 fn large_nonsense_is_refused_soon() {

@@ -12,7 +12,6 @@ pub(crate) mod fields;
 pub(crate) mod list;
 
 use super::decode::{DISPLAY_FIELDS, LAYOUT_FIELDS, PROJECT_FIELDS};
-use super::document::Rendered;
 use super::schema::{NamedLayout, Project};
 use super::text::scalar::quoted;
 use super::text::{Group, Node, NodeKind, Shape, Span, Tree};
@@ -20,6 +19,16 @@ use super::write;
 use crate::units::Quantity;
 use fields::{FieldChange, Fields};
 use list::{Item, List};
+
+/// The text of an edited project.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendered {
+    /// The text.
+    pub text: String,
+    /// Whether the comments and the form of the old text are kept. They are, unless the text was of
+    /// a form in which the change could not be made safely; then the clean form is written.
+    pub comments_kept: bool,
+}
 
 /// A part of a text and what comes in its place.
 pub(crate) type Edit = (Span, String);

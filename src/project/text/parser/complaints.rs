@@ -1,6 +1,6 @@
 //! What is said of the slips that people make most.
 
-use super::{Parser, Step, SyntaxError};
+use super::{DEEPEST, Parser, Step, SyntaxError};
 use crate::project::text::{Entry, NodeKind, line_column};
 use crate::units::{self, LengthUnit, Quantity};
 
@@ -41,6 +41,11 @@ impl Parser<'_> {
         self.error(start, "a field's name is expected here").with_value(shown).with_advice(
             if quoted { "names stand without quotes: name: \"bench 2\"" } else { "name: value" },
         )
+    }
+
+    /// Deeper than any project; `what` says what of.
+    pub(super) fn too_deep(&self, at: usize, what: &str) -> SyntaxError {
+        self.error(at, what).with_advice(format!("a project needs fewer than {DEEPEST} levels"))
     }
 
     pub(super) fn unclosed(&self, open: usize) -> SyntaxError {

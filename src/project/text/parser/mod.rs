@@ -6,7 +6,8 @@ mod complaints;
 use super::{Entry, Group, Node, NodeKind, Shape, Span, Tree, scalar};
 use crate::problem::Problem;
 
-/// Deepest nesting of brackets; a project needs seven.
+/// Deepest nesting of brackets of any kind, and of comments; a project needs seven. Reading, walking
+/// and dropping a tree all go as deep as it does, so this is what keeps them on the stack.
 const DEEPEST: usize = 64;
 
 /// Something that is no RON: the byte where it stands, and what to say about it.
@@ -24,7 +25,7 @@ pub struct SyntaxError {
 /// # Errors
 /// The first thing that is no RON.
 pub fn parse(text: &str) -> Result<Tree, SyntaxError> {
-    let mut p = Parser { text, at: 0, comments: Vec::new(), path: Vec::new() };
+    let mut p = Parser { text, at: 0, depth: 0, comments: Vec::new(), path: Vec::new() };
     if text.starts_with('\u{feff}') {
         p.at = '\u{feff}'.len_utf8();
     }
@@ -64,6 +65,8 @@ enum Step {
 struct Parser<'t> {
     text: &'t str,
     at: usize,
+    /// Brackets that are open.
+    depth: usize,
     comments: Vec<Span>,
     path: Vec<Step>,
 }
@@ -112,11 +115,14 @@ impl<'t> Parser<'t> {
                 self.at += end;
             } else if rest.starts_with("/*") {
                 match block_comment(rest) {
-                    Some(end) => self.at += end,
-                    None => {
+                    Comment::Ends(end) => self.at += end,
+                    Comment::NeverEnds => {
                         return Err(self
                             .error(start, "the comment /* that starts here never ends")
                             .with_advice("close it with */"));
+                    }
+                    Comment::TooDeep(at) => {
+                        return Err(self.too_deep(start + at, "comments are nested too deep"));
                     }
                 }
             } else {
@@ -298,12 +304,11 @@ impl<'t> Parser<'t> {
 
     fn group(&mut self, start: usize, name: Option<String>) -> Result<Node, SyntaxError> {
         let open = self.at;
-        if self.path.len() > DEEPEST {
+        if self.depth > DEEPEST {
             self.path.truncate(3);
-            return Err(self
-                .error(open, "brackets are nested too deep")
-                .with_advice(format!("a project needs fewer than {DEEPEST} levels")));
+            return Err(self.too_deep(open, "brackets are nested too deep"));
         }
+        self.depth += 1;
         let (close, mut shape) = match self.peek() {
             Some('[') => (']', Shape::List),
             Some('{') => ('}', Shape::Map),
@@ -354,13 +359,19 @@ impl<'t> Parser<'t> {
         }
         let group = Group { shape, name, inner: Span::new(inner, self.at), entries };
         self.at += 1;
+        self.depth -= 1;
         Ok(Node { span: Span::new(start, self.at), kind: NodeKind::Group(group) })
     }
 
     /// Whether `name:` follows, which makes a group in round brackets a struct.
     fn key_follows(&self) -> bool {
-        let mut ahead =
-            Parser { text: self.text, at: self.at, comments: Vec::new(), path: Vec::new() };
+        let mut ahead = Parser {
+            text: self.text,
+            at: self.at,
+            depth: 0,
+            comments: Vec::new(),
+            path: Vec::new(),
+        };
         if !ahead.peek().is_some_and(|c| c.is_alphabetic() || c == '_') {
             return false;
         }
@@ -416,12 +427,20 @@ fn raw_string_follows(rest: &str) -> bool {
     rest.strip_prefix("r#").is_some_and(|r| r.trim_start_matches('#').starts_with('"'))
 }
 
-/// Length of the block comment at the start of a text, nested ones included.
-fn block_comment(text: &str) -> Option<usize> {
+/// How a block comment ends, in bytes from its start.
+enum Comment {
+    Ends(usize),
+    NeverEnds,
+    TooDeep(usize),
+}
+
+/// The block comment at the start of a text, nested ones included.
+fn block_comment(text: &str) -> Comment {
     let bytes = text.as_bytes();
     let (mut depth, mut at) = (0usize, 0usize);
     while at + 1 < bytes.len() {
         match &bytes[at..at + 2] {
+            b"/*" if depth > DEEPEST => return Comment::TooDeep(at),
             b"/*" => {
                 depth += 1;
                 at += 2;
@@ -430,11 +449,11 @@ fn block_comment(text: &str) -> Option<usize> {
                 depth -= 1;
                 at += 2;
                 if depth == 0 {
-                    return Some(at);
+                    return Comment::Ends(at);
                 }
             }
             _ => at += 1,
         }
     }
-    None
+    Comment::NeverEnds
 }
