@@ -12,7 +12,8 @@ use crate::curve::Point;
 use crate::dem::Fidelity;
 use crate::fingerprint::Fingerprint;
 use crate::job::checks::{CheckTarget, Checks};
-use crate::job::order::{News, Order, Progress, Task, What};
+use crate::job::news::{News, Progress, What};
+use crate::job::order::{Order, Task};
 use crate::project::Project;
 use crate::study::result::CheckResult;
 use crate::study::result::Wanted;
@@ -197,8 +198,7 @@ impl App {
 
     pub(super) fn order(&mut self, task: Task) -> Order {
         self.work.orders += 1;
-        // Whoever carries it out knows how many threads there are.
-        Order { number: self.work.orders, task, threads: 1 }
+        Order { number: self.work.orders, task }
     }
 
     /// Orders the check of the selected layout, or of all.

@@ -2,7 +2,7 @@
 //! as it is done.
 
 use super::desk::Ticket;
-use super::order::{News, Order, Progress, What};
+use super::news::{Progress, What};
 use super::pace::{Pace, QUIET};
 use crate::dem::Flow;
 use crate::study::case::Case;
@@ -30,11 +30,10 @@ struct Seen {
 
 impl Campaign {
     /// Checks the cases, until the ticket says to end.
-    pub(super) fn carry_out(&self, order: &Order, ticket: &Ticket, tell: &(dyn Fn(News) + Sync)) {
+    pub(super) fn carry_out(&self, threads: usize, ticket: &Ticket, say: &(dyn Fn(What) + Sync)) {
         if ticket.cancelled() {
             return;
         }
-        let say = |what: What| tell(News { number: order.number, what });
         let start = Instant::now();
         let seen = Mutex::new(Seen { pace: Pace::default(), index: None, spoke: start });
         let listen = |news: checks::CaseNews| {
@@ -74,13 +73,13 @@ impl Campaign {
             }
             if ticket.cancelled() { Flow::Cancel } else { Flow::Continue }
         };
-        checks(&self.cases, &self.wanted, order.threads, &listen);
+        checks(&self.cases, &self.wanted, threads, &listen);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::order::Task;
+    use super::super::order::{Order, Task};
     use super::*;
     use crate::dem::Fidelity;
     use crate::forecast::design::Question;
@@ -96,12 +95,12 @@ mod tests {
         };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
         let cases = vec![case(1.3), case(0.35), case(1.4)];
-        Order { number: 5, task: Task::Campaign(Campaign { cases, wanted }), threads: 2 }
+        Order { number: 5, task: Task::Campaign(Campaign { cases, wanted }) }
     }
 
     fn heard(ticket: &Ticket, end_after: usize) -> Vec<String> {
         let heard = Mutex::new(Vec::new());
-        order().carry_out(ticket, &|news| {
+        order().carry_out(2, ticket, &|news| {
             assert_eq!(news.number, 5);
             let said = match news.what {
                 What::Case { index, total, answer } => match &*answer {

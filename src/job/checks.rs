@@ -1,7 +1,7 @@
 //! Checks of layouts behind the screen.
 
 use super::desk::Ticket;
-use super::order::{News, Order, Progress, What};
+use super::news::{Progress, What};
 use super::pace::{Pace, QUIET};
 use crate::curve::Point;
 use crate::dem::Flow;
@@ -52,8 +52,7 @@ struct Seen {
 
 impl Checks {
     /// Makes them, until the ticket says to end.
-    pub(super) fn carry_out(&self, order: &Order, ticket: &Ticket, tell: &(dyn Fn(News) + Sync)) {
-        let say = |what: What| tell(News { number: order.number, what });
+    pub(super) fn carry_out(&self, threads: usize, ticket: &Ticket, say: &(dyn Fn(What) + Sync)) {
         let start = Instant::now();
         for (part, target) in self.targets.iter().enumerate() {
             if ticket.cancelled() {
@@ -105,7 +104,7 @@ impl Checks {
                 if ticket.cancelled() { Flow::Cancel } else { Flow::Continue }
             };
             let (layout, uid) = (&target.layout, target.uid);
-            match make(layout, &target.mesh, &self.wanted, order.threads, &listen) {
+            match make(layout, &target.mesh, &self.wanted, threads, &listen) {
                 // A live check that was overtaken is of no use to anybody.
                 Ok(_) if self.live && ticket.cancelled() => {}
                 Ok(made) => {
@@ -184,7 +183,7 @@ impl Seen {
 
 #[cfg(test)]
 mod tests {
-    use super::super::order::Task;
+    use super::super::order::{Order, Task};
     use super::*;
     use crate::dem::Fidelity;
     use crate::layout::REFERENCE;
@@ -199,12 +198,12 @@ mod tests {
         };
         let targets = spacings.iter().enumerate().map(target).collect();
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 0 };
-        Order { number: 7, task: Task::Checks(Checks { targets, wanted, live }), threads: 2 }
+        Order { number: 7, task: Task::Checks(Checks { targets, wanted, live }) }
     }
 
     fn news(order: &Order, ticket: &Ticket) -> Vec<What> {
         let heard = Mutex::new(Vec::new());
-        order.carry_out(ticket, &|news| {
+        order.carry_out(2, ticket, &|news| {
             assert_eq!(news.number, 7);
             heard.lock().unwrap().push(news.what);
         });

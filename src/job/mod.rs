@@ -2,7 +2,7 @@
 //! a stated end.
 //!
 //! - [`desk`]: the worker and its slot, whatever the work is.
-//! - [`order`]: what can be ordered, and what is told of it.
+//! - [`order`]: what can be ordered; [`news`]: what is told of it.
 //! - [`checks`]: checks of one layout or of many; [`campaign`]: the cases of a study; [`pace`]: how much
 //!   is done and how long it takes yet.
 //!
@@ -11,9 +11,11 @@
 pub(crate) mod campaign;
 pub(crate) mod checks;
 pub(crate) mod desk;
+pub mod news;
 pub mod order;
 pub(crate) mod pace;
 
 pub(crate) use desk::Desk;
 pub use desk::Ticket;
-pub use order::{News, Order};
+pub use news::News;
+pub use order::Order;

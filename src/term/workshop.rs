@@ -2,7 +2,7 @@
 
 use super::events::Mail;
 use crate::app::message::Message;
-use crate::job::order::What;
+use crate::job::news::What;
 use crate::job::{Desk, News, Order};
 use std::thread;
 
@@ -10,17 +10,17 @@ use std::thread;
 #[derive(Debug)]
 pub(super) struct Workshop {
     desk: Option<Desk<Order>>,
-    threads: usize,
 }
 
 impl Workshop {
     /// Starts the worker.
     pub(super) fn open(mail: Mail) -> Workshop {
         let failed = mail.clone();
+        let threads = thread::available_parallelism().map_or(1, usize::from);
         let desk = Desk::open(
             move |order: &Order, ticket| {
                 // Where nobody reads any more, the program is about to end.
-                order.carry_out(ticket, &|news| {
+                order.carry_out(threads, ticket, &|news| {
                     mail.send(Message::Work(news));
                 });
             },
@@ -28,19 +28,17 @@ impl Workshop {
                 failed.send(Message::Work(News { number: order.number, what: What::Failed }));
             },
         );
-        let threads = thread::available_parallelism().map_or(1, usize::from);
-        Workshop { desk, threads }
+        Workshop { desk }
     }
 
     /// No worker at all.
     #[cfg(test)]
     pub(super) fn none() -> Workshop {
-        Workshop { desk: None, threads: 1 }
+        Workshop { desk: None }
     }
 
     /// Hands in an order; what to tell where there is no worker.
-    pub(super) fn order(&self, mut order: Order) -> Vec<Message> {
-        order.threads = self.threads;
+    pub(super) fn order(&self, order: Order) -> Vec<Message> {
         match &self.desk {
             Some(desk) => {
                 desk.submit(order.urgency(), order);

@@ -3,7 +3,8 @@
 //! layout can be checked at all, and what its inputs' fingerprint is, the program itself says.
 
 use meshcast::dem::{PLAIN_PHASE, Scene, SceneSpec, Test};
-use meshcast::job::order::{Task, What};
+use meshcast::job::news::What;
+use meshcast::job::order::Task;
 use meshcast::job::{News, Order};
 use meshcast::layout::Layout;
 use meshcast::mesh::MeshType;

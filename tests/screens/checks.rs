@@ -8,7 +8,8 @@ use meshcast::app::checks::Standing;
 use meshcast::app::message::{Command, Message};
 use meshcast::curve::Point;
 use meshcast::dem::Fidelity;
-use meshcast::job::order::{Progress, Task, What};
+use meshcast::job::news::{Progress, What};
+use meshcast::job::order::Task;
 use meshcast::job::{News, Ticket};
 use meshcast::study::result::Wanted;
 use std::sync::Mutex;
@@ -198,7 +199,7 @@ fn what_the_solver_makes_is_taken_and_current() {
     let effects = press(&mut app, "c");
     let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
     let heard = Mutex::new(Vec::new());
-    order.carry_out(&Ticket::default(), &|news| heard.lock().unwrap().push(news));
+    order.carry_out(1, &Ticket::default(), &|news| heard.lock().unwrap().push(news));
     for news in heard.into_inner().unwrap() {
         app.update(Message::Work(news));
     }

@@ -5,7 +5,8 @@ use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::look::Look;
 use meshcast::app::message::{Command, Message};
-use meshcast::job::order::{Progress, Task, What};
+use meshcast::job::news::{Progress, What};
+use meshcast::job::order::Task;
 use meshcast::job::{News, Order};
 use meshcast::project::schema::Project;
 

@@ -8,7 +8,8 @@ use super::super::message::Command;
 
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::job::campaign::Campaign;
-use crate::job::order::{News, Progress, Task, What};
+use crate::job::news::{News, Progress, What};
+use crate::job::order::Task;
 use crate::study::case::Case;
 use crate::study::checks::{CheckAnswer, NoCheck, RUNS, inputs};
 use crate::study::result::Wanted;
