@@ -2,7 +2,7 @@
 
 use super::field::Field;
 use super::key::{Code, Key};
-use super::studies::typed::Typed;
+use super::keymap::StudyPage;
 use tui_input::{Input, InputRequest};
 
 /// What the text is for.
@@ -34,6 +34,49 @@ impl EditTarget {
             EditTarget::Study(typed) => typed.prompt(),
         }
     }
+}
+
+/// What a text typed on a page of a study is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Typed {
+    /// A design value or a partial factor of the selected layout.
+    Design(Field),
+    /// A part of a range: of the first input (0) or the second (1), and which.
+    Range(usize, Slot),
+}
+
+impl Typed {
+    /// The page it belongs to.
+    pub(crate) fn page(self) -> StudyPage {
+        match self {
+            Typed::Design(_) => StudyPage::Design,
+            Typed::Range(..) => StudyPage::Sweep,
+        }
+    }
+
+    /// What the prompt says.
+    pub(crate) fn prompt(self) -> &'static str {
+        match self {
+            Typed::Design(field) => field.phrase(),
+            Typed::Range(_, Slot::Input) => "input",
+            Typed::Range(_, Slot::From) => "from",
+            Typed::Range(_, Slot::To) => "to",
+            Typed::Range(_, Slot::Steps) => "number of values",
+        }
+    }
+}
+
+/// What is chosen or typed at the head of the page of the sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Slot {
+    /// Which input.
+    Input,
+    /// First value of its range.
+    From,
+    /// Last value of its range.
+    To,
+    /// Number of values.
+    Steps,
 }
 
 /// A line being typed.

@@ -2,7 +2,6 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
-use super::open::{FoundProject, OpenFailure, OpenedProject};
 use super::settings::Settings;
 use crate::export::ExportKind;
 use crate::job::{News, Order};
@@ -74,6 +73,41 @@ pub struct Exported {
     pub path: PathBuf,
     /// What the user should know of it.
     pub note: Option<String>,
+}
+
+/// A project file that can be opened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FoundProject {
+    /// The file.
+    pub path: PathBuf,
+    /// The file as the list shows it and as typed letters are matched.
+    pub shown: String,
+    /// Whether it was open before.
+    pub recent: bool,
+    /// Whether it is gone.
+    pub missing: bool,
+    /// Whether it is the one that is open.
+    pub current: bool,
+}
+
+/// A project that was opened in place of the former one.
+#[derive(Debug, Clone)]
+pub struct OpenedProject {
+    /// The project.
+    pub project: Arc<Project>,
+    /// Its file.
+    pub path: PathBuf,
+    /// What the user should know of it.
+    pub note: Option<String>,
+    /// Edits kept from a session of it that was cut off.
+    pub kept: Option<Arc<Project>>,
+}
+
+/// A project that could not be opened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OpenFailure {
+    /// What went wrong, by file, line and field; may have several lines.
+    pub message: String,
 }
 
 /// Something to be done outside the state.

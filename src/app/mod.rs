@@ -18,7 +18,6 @@ pub(crate) mod edit;
 pub(crate) mod entry;
 pub(crate) mod field;
 pub(crate) mod fuzzy;
-pub(crate) mod help;
 pub(crate) mod history;
 pub mod key;
 pub mod keymap;

@@ -6,46 +6,9 @@ use super::field::Field;
 use super::fuzzy;
 use super::history::History;
 use super::key::Key;
-use super::message::Command;
+use super::message::{Command, FoundProject, OpenFailure, OpenedProject};
 use super::{App, Mode};
-use crate::project::Project;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-/// A project file that can be opened.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct FoundProject {
-    /// The file.
-    pub path: PathBuf,
-    /// The file as the list shows it and as typed letters are matched.
-    pub shown: String,
-    /// Whether it was open before.
-    pub recent: bool,
-    /// Whether it is gone.
-    pub missing: bool,
-    /// Whether it is the one that is open.
-    pub current: bool,
-}
-
-/// A project that was opened in place of the former one.
-#[derive(Debug, Clone)]
-pub struct OpenedProject {
-    /// The project.
-    pub project: Arc<Project>,
-    /// Its file.
-    pub path: PathBuf,
-    /// What the user should know of it.
-    pub note: Option<String>,
-    /// Edits kept from a session of it that was cut off.
-    pub kept: Option<Arc<Project>>,
-}
-
-/// A project that could not be opened.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OpenFailure {
-    /// What went wrong, by file, line and field; may have several lines.
-    pub message: String,
-}
+use std::path::Path;
 
 /// The screen that asks which project to open.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 //! None of this can be asked of a terminal reliably, least of all through a serial line or two shells, so
 //! the user's word (`--color`, `--glyphs`, `NO_COLOR`) stands above every guess.
 
-use super::painter::Charset;
+use super::cells::Charset;
 use crate::app::look::{ColorChoice, ColorMode, Glyphs, Look};
 
 /// The surroundings that matter, read once.

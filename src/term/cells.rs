@@ -1,11 +1,20 @@
 //! What a terminal shows of a row of cells: wide characters cover the cell after them, and nothing that
 //! could command the terminal gets through.
 
-use super::painter::Charset;
 use super::pen::Pen;
 use crate::app::look::ColorMode;
 use ratatui::buffer::{Buffer, Cell};
 use unicode_width::UnicodeWidthStr;
+
+/// What the terminal takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Charset {
+    /// UTF-8.
+    #[default]
+    Utf8,
+    /// ASCII; anything else is shown as `?`.
+    Ascii,
+}
 
 /// One column of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

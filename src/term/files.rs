@@ -3,8 +3,7 @@
 use super::exports::{self, ExportWanted};
 use super::found;
 use super::program::Host;
-use crate::app::message::{Exported, SaveFailure, Saved};
-use crate::app::open::{FoundProject, OpenFailure, OpenedProject};
+use crate::app::message::{Exported, FoundProject, OpenFailure, OpenedProject, SaveFailure, Saved};
 use crate::app::settings::Settings;
 use crate::project::{self, Document, Home, Opened, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Project files that can be opened: those that were open before, then those near by.
 
-use crate::app::open::FoundProject;
+use crate::app::message::FoundProject;
 use crate::project::home::Home;
 use std::collections::{HashSet, VecDeque};
 use std::fs;

@@ -40,11 +40,12 @@ mod travel;
 mod tty;
 mod workshop;
 
+pub use cells::Charset;
 pub(crate) use error::TermError;
 pub use events::Mail;
 pub use files::FileHost;
 pub(crate) use files::{kept, migrated};
-pub use painter::{Charset, Painter};
+pub use painter::Painter;
 pub(crate) use preferences::preferences;
 pub use program::{Host, Program};
 pub use run::Ending;

@@ -1,6 +1,6 @@
 //! Turns the difference between two screens into the bytes that make one of the other.
 
-use super::cells::{Shown, shown_row};
+use super::cells::{Charset, Shown, shown_row};
 use super::pen::Pen;
 use super::travel::{Cursor, skip_cost, travel};
 use crate::app::look::ColorMode;
@@ -14,16 +14,6 @@ const CLEAR: &[u8] = b"\x1b[0m\x1b[H\x1b[2J";
 const CLEAR_TAIL: &[u8] = b"\x1b[K";
 /// Fewer changed cells than this are not worth a [`CLEAR_TAIL`].
 const SHORT_TAIL: usize = 4;
-
-/// What the terminal takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Charset {
-    /// UTF-8.
-    #[default]
-    Utf8,
-    /// ASCII; anything else is shown as `?`.
-    Ascii,
-}
 
 /// Bytes sent so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

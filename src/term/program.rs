@@ -2,8 +2,9 @@
 
 use super::exports::ExportWanted;
 use crate::app::look::Look;
-use crate::app::message::{Command, Exported, Message, SaveFailure, Saved};
-use crate::app::open::{FoundProject, OpenFailure, OpenedProject};
+use crate::app::message::{
+    Command, Exported, FoundProject, Message, OpenFailure, OpenedProject, SaveFailure, Saved,
+};
 use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;

@@ -1,12 +1,11 @@
 //! The loop with a stage, a program and a host that only take notes.
 
+use super::super::cells::Charset;
 use super::super::events::{self, Mail};
-use super::super::painter::Charset;
 use super::*;
 use crate::app::key::{Code, Key};
 use crate::app::look::Look;
-use crate::app::message::{SaveFailure, Saved};
-use crate::app::open::{OpenFailure, OpenedProject};
+use crate::app::message::{OpenFailure, OpenedProject, SaveFailure, Saved};
 use crate::project::Project;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;

@@ -1,9 +1,10 @@
 //! The real terminal, its threads and the loop, put together.
 
+use super::cells::Charset;
 use super::error::TermError;
 use super::events::{self, Event, Mail};
 use super::guard::{self, Guard};
-use super::painter::{Charset, Painter};
+use super::painter::Painter;
 use super::panic::Hook;
 use super::program::{Host, Program};
 use super::rescue::Rescue;

@@ -1,8 +1,7 @@
 //! The screens around the work, by key script: settings, opening another project.
 
 use crate::harness::*;
-use meshcast::app::message::{Command, Message};
-use meshcast::app::open::{FoundProject, OpenFailure, OpenedProject};
+use meshcast::app::message::{Command, FoundProject, Message, OpenFailure, OpenedProject};
 use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;

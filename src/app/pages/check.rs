@@ -1,6 +1,6 @@
 //! The part of the details that speaks of the check by simulation.
 
-use super::TextPage;
+use super::text::TextPage;
 use crate::app::App;
 use crate::app::checks::{LIVE_RUNS, Standing};
 use crate::dem::outcome::Quality;
@@ -9,7 +9,7 @@ use crate::study::result::{CheckResult, Revisions};
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 
 /// All there is to know of the check shown.
-pub(crate) fn section(page: &mut TextPage, app: &App) {
+pub(super) fn section(page: &mut TextPage, app: &App) {
     page.heading("Check by simulation");
     let Some(shown) = app.shown_check() else {
         page.text("  none yet: c checks this layout, C all of them, l after each edit", 2);

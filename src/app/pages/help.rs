@@ -1,13 +1,14 @@
 //! The help: made from the key map, the section of the screen it was asked on first. It lies over
 //! any screen and gives it back.
 
-use super::keymap::{self, Context};
-use super::pages::{PageLine, TextPage, method};
-use super::{App, Mode};
+use super::method;
+use super::text::{PageLine, TextPage};
+use crate::app::keymap::{self, Context};
+use crate::app::{App, Mode};
 
 /// Where the help was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Topic {
+pub(super) enum Topic {
     /// On a screen with keys of its own.
     Screen(Context),
     /// While a line of text was typed.
@@ -23,7 +24,7 @@ impl Topic {
 
 impl App {
     /// Shows the help over the present screen, or closes it.
-    pub(super) fn toggle_help(&mut self) {
+    pub(in crate::app) fn toggle_help(&mut self) {
         if let Mode::Help { .. } = self.mode {
             self.mode = std::mem::replace(&mut self.under_help, Mode::Main);
         } else {
@@ -37,7 +38,7 @@ impl App {
 const KEYS: usize = 18;
 
 /// The help of a width, the section of a topic first.
-pub(crate) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
+pub(super) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
     let mut page = TextPage::new(width);
     match topic {
         Topic::Typing => typing(&mut page),

@@ -1,11 +1,10 @@
 //! Which plate, spacing or punch just meets the design values of the selected layout.
 
-use super::super::entry::{EditTarget, LineEntry};
+use super::super::entry::{EditTarget, LineEntry, Typed};
 use super::super::field::Field;
 use super::super::keymap::{Ask, StudyPage};
 use super::super::{App, Mode};
 use super::campaign::Coverage;
-use super::typed::Typed;
 
 use crate::fingerprint::Fingerprint;
 use crate::study::case::{Case, CaseValue, Input};

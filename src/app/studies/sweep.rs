@@ -1,14 +1,13 @@
 //! One input over a range, or two over a map, of the selected layout: forecast at once, checks one
 //! after the other where they were asked for.
 
-use super::super::entry::{EditTarget, LineEntry};
+use super::super::entry::{EditTarget, LineEntry, Slot, Typed};
 use super::super::field::{Field, StepSize};
 use super::super::keymap::{Ask, StudyPage};
 use super::super::message::Command;
 use super::super::{App, Mode};
 use super::campaign::Coverage;
 use super::neighbour;
-use super::typed::Typed;
 use crate::fingerprint::Fingerprinter;
 use crate::problem::Problem;
 use crate::study::case::{Case, CaseValue, Input};
@@ -26,19 +25,6 @@ const SECOND: usize = 5;
 pub(crate) const MOST: usize = 61;
 /// Points through which the forecast's line is drawn.
 const LINE: usize = 161;
-
-/// What is chosen or typed at the head of the page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Slot {
-    /// Which input.
-    Input,
-    /// First value of its range.
-    From,
-    /// Last value of its range.
-    To,
-    /// Number of values.
-    Steps,
-}
 
 const SLOTS: [Slot; 4] = [Slot::Input, Slot::From, Slot::To, Slot::Steps];
 

@@ -1,40 +1,7 @@
-//! What is typed on a page of a study.
+//! What is typed on the pages of studies.
 
 use super::super::App;
-use super::super::field::Field;
-use super::super::keymap::StudyPage;
-
-use super::sweep::Slot;
-
-/// What a typed text is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Typed {
-    /// A design value or a partial factor of the selected layout.
-    Design(Field),
-    /// A part of a range: of the first input (0) or the second (1), and which.
-    Range(usize, Slot),
-}
-
-impl Typed {
-    /// The page it belongs to.
-    pub(crate) fn page(self) -> StudyPage {
-        match self {
-            Typed::Design(_) => StudyPage::Design,
-            Typed::Range(..) => StudyPage::Sweep,
-        }
-    }
-
-    /// What the prompt says.
-    pub(crate) fn prompt(self) -> &'static str {
-        match self {
-            Typed::Design(field) => field.phrase(),
-            Typed::Range(_, Slot::Input) => "input",
-            Typed::Range(_, Slot::From) => "from",
-            Typed::Range(_, Slot::To) => "to",
-            Typed::Range(_, Slot::Steps) => "number of values",
-        }
-    }
-}
+use super::super::entry::Typed;
 
 impl App {
     /// Takes a text.

@@ -1,0 +1,160 @@
+//! The details: all warnings and numbers of the selected layout.
+
+use super::text::{PageLine, TextPage};
+use super::{check, method};
+use crate::app::App;
+use crate::forecast::{Field, Forecast};
+use crate::units::{LengthUnit, force_text, length_text, shortest, significant, to_kn};
+
+/// All there is to know of the selected layout.
+pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
+    let mut page = TextPage::new(width);
+    let layout = app.layout();
+    page.heading(&format!("{} - {}", layout.name, app.project().name));
+    if !layout.note.is_empty() {
+        page.text(&format!("  {}", layout.note), 2);
+    }
+    match &app.result().forecast {
+        Err(problems) => {
+            for p in problems {
+                page.text(&format!("  {p}"), 4);
+            }
+        }
+        Ok(forecast) => {
+            page.heading("Warnings");
+            if forecast.warnings.is_empty() {
+                page.text("  none: all inputs are inside the published ranges", 2);
+            }
+            for w in &forecast.warnings {
+                page.text(&format!("  ! {}", w.message()), 4);
+            }
+            check::section(&mut page, app);
+            numbers(&mut page, app, forecast);
+        }
+    }
+    page.heading("The method");
+    method(&mut page);
+    page.lines
+}
+
+fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
+    let unit = app.units();
+    let m = |v: f64| length_text(v, unit);
+    if let Some(mesh) = &app.result().mesh {
+        page.heading("Mesh and laboratory");
+        page.row("mesh", &format!("{} ({})", mesh.title(), mesh.id));
+        let lab = &mesh.laboratory;
+        page.row(
+            "punch test",
+            &format!(
+                "{}, {} ({}), panel {}, punch {}",
+                force_text(lab.force),
+                m(lab.deflection),
+                lab.statistic.word(),
+                m(lab.panel),
+                m(lab.punch)
+            ),
+        );
+        if !lab.standard.is_empty() {
+            page.row("standard", &lab.standard);
+        }
+        page.row("source", &lab.source);
+    }
+    page.row("F_l*, delta_l* (standard panel)", &pair(forecast.laboratory, unit));
+    page.heading("Laboratory to field");
+    let origin = if forecast.ratios.default { "double-twist reference" } else { "the mesh's own" };
+    page.row(
+        "alpha_F, alpha_delta",
+        &format!("{:.3}, {:.3} ({origin})", forecast.ratios.force, forecast.ratios.deflection),
+    );
+    page.row("F_a*, delta_a* (step 1)", &pair(forecast.reference, unit));
+    let e = &forecast.eccentricity;
+    page.row(
+        "eccentricity factors on F, delta",
+        &format!(
+            "{:.3} +-{:.3}, {:.3} +-{:.3}",
+            e.force, e.force_sd, e.deflection, e.deflection_sd
+        ),
+    );
+    let Some(field) = forecast.field else { return };
+    page.row("F_a, delta_a (step 2)", &pair(field.values, unit));
+    page.row(
+        "branch of A.1-A.2",
+        &format!("{} (rule: {})", field.branch.word(), forecast.rule.word()),
+    );
+    if let Some(other) = field.other_branch {
+        page.row("by the other branch", &pair(other, unit));
+    }
+    if let (Some(f), Some(d)) = (forecast.force_over_lab(), forecast.deflection_over_lab()) {
+        page.row("F_a/F_l*, delta_a/delta_l*", &format!("{f:.3}, {d:.3}"));
+    }
+    page.row("force on each anchor", &force_text(field.values.force));
+    curve(page, &field, unit);
+    design(page, app, unit);
+}
+
+/// A few points of the curve, with stiffness and energy.
+fn curve(page: &mut TextPage, field: &Field, unit: LengthUnit) {
+    page.heading("Curve (Eq. 3)");
+    page.text("  part of delta_a  delta     F kN    tangent kN/m  secant kN/m  energy kJ", 2);
+    for percent in [25, 50, 75, 90, 100] {
+        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        page.text(
+            &format!(
+                "  {percent:>8} %       {:<9} {:<7} {:<13} {:<12} {}",
+                length_text(delta, unit),
+                significant(to_kn(field.force_at(delta)), 3),
+                significant(to_kn(field.tangent_at(delta)), 3),
+                significant(to_kn(field.secant_at(delta)), 3),
+                significant(to_kn(field.energy_to(delta)), 3),
+            ),
+            2,
+        );
+    }
+}
+
+fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
+    let layout = app.layout();
+    let Some(answer) = &app.result().design else { return };
+    if answer.at_force.is_none() && answer.at_deflection.is_none() {
+        return;
+    }
+    page.heading("Design");
+    page.row(
+        "partial factors",
+        &format!(
+            "load {}, resistance {}",
+            shortest(layout.gamma_load),
+            shortest(layout.gamma_resistance)
+        ),
+    );
+    page.row("design resistance F_a / factor", &force_text(answer.resistance));
+    if let Some(a) = answer.at_force {
+        page.row("design load F x factor", &force_text(a.load));
+        page.row(
+            "utilisation",
+            &format!(
+                "{:.0} %{}",
+                a.utilisation * 100.0,
+                if a.utilisation > 1.0 { ", not enough" } else { "" }
+            ),
+        );
+        page.row("margin", &force_text(a.margin));
+        page.row(
+            "deflection under it",
+            &a.deflection.map_or("beyond failure".into(), |d| length_text(d, unit)),
+        );
+    }
+    if let Some(a) = answer.at_deflection {
+        page.row("force at the allowed deflection", &force_text(a.force));
+        page.row("the same / resistance factor", &force_text(a.design_force));
+        page.row("energy up to there", &format!("{} kJ", significant(to_kn(a.energy), 3)));
+        if a.beyond_failure {
+            page.text("  the panel fails before the allowed deflection is reached", 2);
+        }
+    }
+}
+
+fn pair(values: crate::forecast::Values, unit: LengthUnit) -> String {
+    format!("{}, {}", force_text(values.force), length_text(values.deflection, unit))
+}
