@@ -1,6 +1,7 @@
 //! The house: which room may talk to which, and what a room may touch. Read from the source, because
 //! nothing else would notice.
 
+mod circles;
 mod source;
 
 use source::{SourceFile, files};

@@ -38,10 +38,15 @@ fn gather(directory: &Path, top: &Path, found: &mut Vec<SourceFile>) {
 }
 
 impl SourceFile {
-    fn new(path: String, text: String) -> SourceFile {
+    pub(crate) fn new(path: String, text: String) -> SourceFile {
         let room = path.split('/').nth(1).unwrap_or("").trim_end_matches(".rs").to_string();
         let code = code(&text);
         SourceFile { path, room, text, code }
+    }
+
+    /// The text without comments, and without the tests at its end.
+    pub(crate) fn code(&self) -> &str {
+        &self.code
     }
 
     /// Lines of code that hold one of the words, as messages.
@@ -89,7 +94,7 @@ fn code(text: &str) -> String {
     out
 }
 
-fn is_letter(c: char) -> bool {
+pub(crate) fn is_letter(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
