@@ -1,6 +1,7 @@
 //! Where a text goes: standard output, or a file that is never overwritten by chance.
 
 use super::output::{CommandEnd, Fault, Output};
+use crate::export::form::Form;
 use crate::project::{Overwrite, SaveError, same_file, write_file};
 use clap::Args;
 use std::io::ErrorKind;
@@ -18,13 +19,27 @@ pub(crate) struct Destination {
 }
 
 impl Destination {
-    /// The file's ending, small letters, if there is a file with one.
-    pub(crate) fn ending(&self) -> Option<String> {
-        Some(self.path()?.extension()?.to_str()?.to_ascii_lowercase())
+    /// The form among these that the file's ending says; the first of them where it says nothing.
+    ///
+    /// # Errors
+    /// The ending says a form that is not among them, or the file is the one that is read.
+    pub(crate) fn form(&self, among: &[Form], source: &Path) -> Result<Option<Form>, Fault> {
+        self.check_source(source)?;
+        Form::of_path(self.path(), among).map_err(|said| Fault::input(format!("--output: {said}")))
     }
 
     fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    fn check_source(&self, source: &Path) -> Result<(), Fault> {
+        match self.path() {
+            Some(path) if same_file(path, source) => Err(Fault::input(format!(
+                "{} is the project itself, which is never overwritten; choose another name",
+                path.display()
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// Brings a text to its place; `source` is the file it was made from, which is never overwritten.
@@ -35,12 +50,7 @@ impl Destination {
         let Some(path) = self.path() else {
             return Ok(Output { result: text, notes, ..Output::default() });
         };
-        if same_file(path, source) {
-            return Err(Fault::input(format!(
-                "{} is the project itself, which is never overwritten; choose another name",
-                path.display()
-            )));
-        }
+        self.check_source(source)?;
         let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
         write_file(path, &text, overwrite).map_err(fault)?;
         Ok(Output { result: format!("{}\n", path.display()), notes, ..Output::default() })

@@ -4,6 +4,7 @@ use super::UiFlags;
 use super::destination::Destination;
 use super::output::{CommandEnd, Fault};
 use super::source::ProjectFile;
+use crate::export::form::Form;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Case, Check, csv};
 use clap::{Args, ValueEnum};
@@ -46,6 +47,15 @@ enum Format {
     Csv,
     /// A picture for reports.
     Svg,
+}
+
+impl Format {
+    fn form(self) -> Form {
+        match self {
+            Format::Csv => Form::Csv,
+            Format::Svg => Form::Svg,
+        }
+    }
 }
 
 impl What {
@@ -103,11 +113,6 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
 }
 
 fn what(args: &ExportArgs) -> Result<What, Fault> {
-    let from_ending = || match args.to.ending().as_deref() {
-        Some("svg") => Some(Format::Svg),
-        Some("csv") => Some(Format::Csv),
-        _ => None,
-    };
     match (args.what, args.format) {
         (Some(what), Some(format)) if what.format() != format => {
             let (right, others) = match format {
@@ -119,11 +124,17 @@ fn what(args: &ExportArgs) -> Result<What, Fault> {
                 what.word()
             )))
         }
-        (Some(what), _) => Ok(what),
-        (None, format) => Ok(match format.or_else(from_ending) {
-            Some(Format::Svg) => What::Chart,
-            _ => What::Curve,
-        }),
+        (Some(what), _) => args.to.form(&[what.format().form()], &args.project.path).map(|_| what),
+        (None, format) => {
+            let among = match format {
+                Some(format) => vec![format.form()],
+                None => vec![Form::Csv, Form::Svg],
+            };
+            Ok(match args.to.form(&among, &args.project.path)? {
+                Some(Form::Svg) => What::Chart,
+                _ => What::Curve,
+            })
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::UiFlags;
 use super::destination::Destination;
 use super::output::CommandEnd;
 use super::source::ProjectFile;
+use crate::export::form::Form;
 use crate::export::{Check, Report, ReportSource};
 use clap::{Args, ValueEnum};
 
@@ -30,6 +31,11 @@ enum Format {
 
 /// Writes the report.
 pub(crate) fn run(args: &ReportArgs, ui: &UiFlags) -> CommandEnd {
+    let form = match args.format {
+        Some(Format::Html) => args.to.form(&[Form::Html], &args.project.path)?,
+        Some(Format::Md) => args.to.form(&[Form::Markdown], &args.project.path)?,
+        None => args.to.form(&[Form::Html, Form::Markdown], &args.project.path)?,
+    };
     let (opened, cases) = args.project.open(None)?;
     let file_name = opened.document.title();
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
@@ -46,13 +52,9 @@ pub(crate) fn run(args: &ReportArgs, ui: &UiFlags) -> CommandEnd {
         },
         unit,
     };
-    let format = args.format.unwrap_or_else(|| match args.to.ending().as_deref() {
-        Some("md" | "markdown") => Format::Md,
-        _ => Format::Html,
-    });
-    let text = match format {
-        Format::Html => report.html(),
-        Format::Md => report.markdown(),
+    let text = match form {
+        Some(Form::Markdown) => report.markdown(),
+        _ => report.html(),
     };
     args.to.put(text, Vec::new(), &args.project.path)
 }

@@ -1,5 +1,6 @@
 //! What the program writes at a key press, and what its file is called.
 
+use super::form::Form;
 use super::svg::{Series, chart, plan};
 use super::{Case, Check, Report, ReportSource, cases, csv};
 use crate::problem::Problem;
@@ -73,13 +74,13 @@ impl ExportKind {
         matches!(self, ExportKind::Chart | ExportKind::Plan)
     }
 
-    /// The file's ending.
-    pub(crate) fn ending(self) -> &'static str {
+    /// How it is written.
+    pub(crate) fn form(self) -> Form {
         match self {
-            ExportKind::ReportHtml => "html",
-            ExportKind::ReportMarkdown => "md",
-            ExportKind::Chart | ExportKind::ChartAll | ExportKind::Plan => "svg",
-            ExportKind::Curves | ExportKind::Table => "csv",
+            ExportKind::ReportHtml => Form::Html,
+            ExportKind::ReportMarkdown => Form::Markdown,
+            ExportKind::Chart | ExportKind::ChartAll | ExportKind::Plan => Form::Svg,
+            ExportKind::Curves | ExportKind::Table => Form::Csv,
         }
     }
 
@@ -98,7 +99,7 @@ impl ExportKind {
             parts.push(nth.to_string());
         }
         parts.retain(|part| !part.is_empty());
-        format!("{}.{}", parts.join("-"), self.ending())
+        format!("{}.{}", parts.join("-"), self.form().endings()[0])
     }
 
     /// The text of it.
@@ -174,11 +175,11 @@ mod tests {
         let source = ReportSource { file_name: "slope.ron", text: None, edited: false };
         for kind in ExportKind::ALL {
             let text = kind.text(&project, 0, source, LengthUnit::Metre).unwrap();
-            let start = match kind.ending() {
-                "html" => "<!DOCTYPE",
-                "svg" => "<svg",
-                "md" => "# ",
-                _ => "layout,",
+            let start = match kind.form() {
+                Form::Html => "<!DOCTYPE",
+                Form::Svg => "<svg",
+                Form::Markdown => "# ",
+                Form::Csv => "layout,",
             };
             assert!(text.contains(start), "{kind:?}: {}", &text[..60]);
         }

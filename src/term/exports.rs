@@ -1,6 +1,7 @@
 //! Writing reports, charts and tables beside a project.
 
 use crate::app::message::Exported;
+use crate::export::form::Form;
 use crate::export::{ExportKind, ReportSource};
 use crate::project::{Document, Overwrite, Project, SaveError, same_file, write_file};
 use crate::units::LengthUnit;
@@ -48,6 +49,7 @@ pub(super) fn write(document: &Document, wanted: ExportWanted<'_>) -> Result<Exp
         if document.path().is_some_and(|own| same_file(own, path)) {
             return Err("that is the project itself, which is never overwritten".into());
         }
+        Form::of_path(Some(path), &[wanted.kind.form()])?;
         let overwrite = if wanted.overwrite { Overwrite::Yes } else { Overwrite::No };
         return match write_file(path, &text, overwrite) {
             Ok(()) => Ok(Exported { path: path.to_path_buf(), note }),

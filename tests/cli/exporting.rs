@@ -57,6 +57,14 @@ fn what_cannot_be_is_refused() {
     says(&["export"], &["PROJECT.ron"]);
     says(&["export", project, "--force"], &["--output"]);
     says(&["report", project, "--format", "pdf"], &["html, md"]);
+    // An ending that says another form than the one that would be inside.
+    let at = |name: &str| shown(&keep.path().join(name)).to_string();
+    says(&["export", project, "--what", "chart", "-o", &at("x.png")], &["x.png", ".svg"]);
+    says(&["export", project, "--what", "table", "-o", &at("t.xlsx")], &["t.xlsx", ".csv"]);
+    says(&["export", project, "-o", &at("c.pdf")], &["c.pdf", ".csv", ".svg"]);
+    says(&["report", project, "-o", &at("r.pdf")], &["r.pdf", ".html", ".md"]);
+    says(&["report", project, "--format", "md", "-o", &at("r.html")], &["r.html", ".md"]);
+    assert_eq!(std::fs::read_dir(keep.path()).unwrap().count(), 1, "only the project is there");
     let nowhere = keep.path().join("no/such/report.html");
     says(&["report", project, "-o", shown(&nowhere)], &["directory does not exist"]);
     says(&["report", project, "-o", project, "--force"], &["the project itself"]);

@@ -74,7 +74,10 @@ pub(crate) fn assert_sound(svg: &str) {
 
 fn words(svg: &str) -> String {
     let document = Document::parse(svg).unwrap();
-    let texts = document.descendants().filter(|n| n.has_tag_name("text"));
+    // Words have a rim, a text of its own that is hidden from those who listen.
+    let texts = document
+        .descendants()
+        .filter(|n| n.has_tag_name("text") && n.attribute("aria-hidden").is_none());
     texts.filter_map(|n| n.text()).collect::<Vec<_>>().join(" ")
 }
 
@@ -202,4 +205,25 @@ fn a_check_is_drawn_over_its_forecast() {
     assert_sound(&svg);
     assert!(words(&svg).contains("stale: inputs have changed since"));
     keep("chart-check-two.svg", &svg);
+}
+
+/// Seen: in renderers that do not know `paint-order` all words were white. Cause: the white rim was the
+/// stroke of the words themselves, which is painted over their fill unless that attribute is understood.
+#[test]
+fn words_do_not_hang_on_the_order_of_painting() {
+    let project = &projects()[0];
+    let svg = chart_of(&good(project), "chart", LengthUnit::Metre);
+    let document = Document::parse(&svg).unwrap();
+    assert!(!svg.contains("paint-order"));
+    let texts: Vec<_> = document.descendants().filter(|n| n.has_tag_name("text")).collect();
+    for pair in texts.chunks(2) {
+        let [rim, words] = pair else { panic!("a text without its rim") };
+        assert_eq!(rim.text(), words.text());
+        assert_eq!(
+            (rim.attribute("x"), rim.attribute("y")),
+            (words.attribute("x"), words.attribute("y"))
+        );
+        assert!(rim.attribute("stroke").is_some() && words.attribute("stroke").is_none());
+    }
+    assert!(texts.len() > 20);
 }

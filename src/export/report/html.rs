@@ -25,8 +25,21 @@ var { font-style: italic; }
 sub { font-size: 0.75em; line-height: 0; }
 code { font: 0.9em monospace; }
 pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space: pre-wrap; }
-@media print { body { margin: 0; max-width: none; font-size: 11pt; } pre { border-color: #999; } }
-@page { margin: 18mm; }
+@media print {
+  body { margin: 0; padding: 0; max-width: none; font-size: 9.5pt; }
+  pre { border-color: #999; }
+  p, li { orphans: 3; widows: 3; }
+  div.wide { overflow: visible; break-inside: avoid; }
+  table { max-width: 100%; font-size: 8pt; }
+  thead { display: table-header-group; }
+  th, td { padding: 0.4mm 1.2mm; overflow-wrap: anywhere; }
+  div.keep { break-inside: avoid; }
+  div.pictures { display: block; }
+  figure { margin: 2mm 0; }
+  figure svg { max-height: 62mm; }
+  figure.whole svg { max-height: 215mm; }
+}
+@page { size: A4; margin: 16mm 16mm 18mm; @bottom-right { content: counter(page) \" / \" counter(pages); font: 8pt sans-serif; } }
 ";
 
 /// The whole page.
@@ -37,11 +50,46 @@ pub(crate) fn page(document: &ReportDocument) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
          <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
     );
-    for block in &document.blocks {
-        self::block(block, &mut out);
+    for group in kept_together(&document.blocks) {
+        if let [one] = group {
+            block(one, &mut out);
+            continue;
+        }
+        out.push_str("<div class=\"keep\">\n");
+        for one in group {
+            block(one, &mut out);
+        }
+        out.push_str("</div>\n");
     }
     out.push_str("</body>\n</html>\n");
     out
+}
+
+/// The blocks in groups that no page break may part: headings with what comes first below them, and where
+/// that is words, with the table or picture after them.
+fn kept_together(blocks: &[Block]) -> Vec<&[Block]> {
+    let mut groups = Vec::new();
+    let mut rest = blocks;
+    while !rest.is_empty() {
+        let headings = rest.iter().take_while(|b| matches!(b, Block::Heading(..))).count();
+        let words =
+            |b: &&Block| matches!(b, Block::Paragraph(_) | Block::List(_) | Block::Equation(..));
+        let said = rest[headings..].iter().take_while(words).count();
+        let shown = matches!(
+            rest.get(headings + said),
+            Some(Block::Table { .. } | Block::Pictures(_) | Block::Commands(_))
+        );
+        let length = match (headings, shown) {
+            (0, _) => 1,
+            // Words alone may run over pages; their first block holds the heading.
+            (_, false) => headings + 1,
+            (_, true) => headings + said + 1,
+        };
+        let (group, after) = rest.split_at(length.min(rest.len()));
+        groups.push(group);
+        rest = after;
+    }
+    groups
 }
 
 // Writing to a string cannot fail.

@@ -199,13 +199,18 @@ impl Drawing {
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        let _ = writeln!(
-            self.body,
-            "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{anchor}\" stroke=\"#fff\" stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\"{more}>{}</text>",
+        let start = format!(
+            "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{anchor}\"{more}",
             number(x),
             number(y),
-            number(size),
-            escape::xml(text)
+            number(size)
+        );
+        let text = escape::xml(text);
+        // The rim is a text of its own below the words: renderers that do not know `paint-order` would
+        // paint one that belongs to them over them.
+        let _ = writeln!(
+            self.body,
+            "{start} aria-hidden=\"true\" fill=\"#fff\" stroke=\"#fff\" stroke-width=\"4\" stroke-linejoin=\"round\">{text}</text>\n{start}>{text}</text>"
         );
     }
 
