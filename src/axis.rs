@@ -81,9 +81,9 @@ impl Range {
         }
     }
 
-    /// Where a value is on the axis: 0 at its start, 1 at its end.
-    pub(crate) fn part(&self, value: f64) -> f64 {
-        (value / self.step - self.first) / f64::from(self.steps)
+    /// Where the axis begins and ends.
+    pub(crate) fn ends(&self) -> (f64, f64) {
+        (self.first * self.step, (self.first + f64::from(self.steps)) * self.step)
     }
 
     /// The ticks with their labels, all of the same number of decimals.
@@ -135,6 +135,6 @@ mod tests {
         assert_eq!(labels(3.0, 3.0, 4), "2.8 2.9 3.0 3.1 3.2");
         assert_eq!(labels(f64::NAN, 2.0, 4), "0.0 0.5 1.0");
         let range = Range::holding(10.0, 20.0, 5);
-        assert_eq!((range.part(10.0), range.part(15.0), range.part(20.0)), (0.0, 0.5, 1.0));
+        assert_eq!(range.ends(), (10.0, 20.0));
     }
 }

@@ -16,6 +16,7 @@
 //!   own results.
 //! - [`job`]: work behind the screen: one worker, one waiting slot, progress, cancelling.
 //! - [`project`]: the file a user keeps: read, checked, changed and saved.
+//! - [`show`]: what results look like before they have a form: drawings for screen and text alike.
 //! - [`export`]: CSV, SVG and reports as texts; writing them to files is left to others.
 //! - [`app`]: the state of the interactive program; no input or output.
 //! - [`ui`]: one panel a file, each a pure function of the state.
@@ -36,6 +37,7 @@ pub mod layout;
 pub mod mesh;
 pub mod problem;
 pub mod project;
+mod show;
 pub mod study;
 pub mod term;
 pub mod ui;

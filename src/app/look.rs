@@ -1,6 +1,7 @@
 //! How the program looks on the terminal at hand: colours or none, and which glyphs draw curves and
 //! frames. Plain settings; `term` finds the defaults, `ui` obeys them.
 
+pub use crate::show::glyphs::Glyphs;
 use std::fmt;
 use std::str::FromStr;
 
@@ -24,18 +25,6 @@ pub enum ColorChoice {
     Basic16,
     /// None.
     None,
-}
-
-/// Which characters draw curves and frames.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Glyphs {
-    /// Braille patterns, eight dots a cell, and box drawing.
-    #[default]
-    Braille,
-    /// Block elements and box drawing, for fonts without braille.
-    Block,
-    /// Nothing beyond ASCII.
-    Ascii,
 }
 
 /// The two together.
@@ -80,16 +69,6 @@ impl FromStr for Glyphs {
             "ascii" => Ok(Glyphs::Ascii),
             _ => Err(UnknownLook { given: word.to_owned(), allowed: "braille, block, ascii" }),
         }
-    }
-}
-
-impl fmt::Display for Glyphs {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Glyphs::Braille => "braille",
-            Glyphs::Block => "block",
-            Glyphs::Ascii => "ascii",
-        })
     }
 }
 

@@ -1,22 +1,20 @@
 //! The check by simulation: its lines in the answer, its curves on the chart, its progress.
 
-use super::canvas::{Canvas, DotPen, Pattern};
-use super::chart::ChartScale;
+use super::curves::CurvePlot;
 use super::studies;
-use super::text::put;
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::checks::{ShownCheck, Standing};
 use crate::curve::{Curve, Point};
 use crate::job::pace::duration;
+use crate::show::grid::{DotGrid, DotPen, Pattern};
+use crate::show::picture::Ink;
 use crate::study::result::places::Places;
 use crate::units::{force_text, length_text, significant, to_kn};
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 /// The sign of the mean first break on the chart.
-pub(crate) const SIGN: &str = "o";
+pub(crate) const SIGN: char = 'o';
 
 /// What is said of the check in the answer, the most important first.
 pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
@@ -118,11 +116,11 @@ pub(crate) fn reach(app: &App) -> Point {
 }
 
 /// Draws the mean curve, its band, and the runs under way.
-pub(super) fn curves(app: &App, scale: &ChartScale, canvas: &mut Canvas, theme: &Theme) {
-    let thin = DotPen { style: theme.check, pattern: Pattern::Dashed(1, 3), ascii: Some(',') };
+pub(super) fn curves(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
+    let thin = DotPen { ink: Ink::Check, pattern: Pattern::Dashed(1, 3), ascii: Some(',') };
     let growing = app.growing();
     for run in growing {
-        canvas.line(run.iter().map(|p| scale.dot(*p, canvas)).collect::<Vec<_>>(), thin);
+        chart.line(run.iter().copied(), thin, grid);
     }
     let Some(shown) = app.shown_check().filter(|_| growing.is_empty()) else { return };
     let result = shown.result;
@@ -132,24 +130,20 @@ pub(super) fn curves(app: &App, scale: &ChartScale, canvas: &mut Canvas, theme: 
             force: limit.clone(),
             failure: None,
         };
-        canvas.line(scale.dots(&curve, canvas), thin);
+        chart.curve(&curve, thin, grid);
     }
     let pattern = if shown.stale() { Pattern::Dashed(1, 2) } else { Pattern::Dashed(4, 2) };
-    let pen = DotPen { style: theme.check, pattern, ascii: Some('o') };
-    canvas.line(scale.dots(&result.curve, canvas), pen);
+    chart.curve(&result.curve, DotPen { ink: Ink::Check, pattern, ascii: Some('o') }, grid);
     for broken in &result.breaks {
-        let (x, y) = scale.dot(broken.at, canvas);
-        canvas.dot(x.floor() as i32, y.floor() as i32, DotPen { pattern: Pattern::Solid, ..thin });
+        chart.dot(broken.at, DotPen { pattern: Pattern::Solid, ..thin }, grid);
     }
 }
 
 /// Puts the sign at the mean first break.
-pub(super) fn marks(app: &App, scale: &ChartScale, plot: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(super) fn marks(app: &App, chart: &mut CurvePlot) {
     let Some(shown) = app.shown_check().filter(|_| app.growing().is_empty()) else { return };
-    if let Some(end) = shown.result.curve.failure
-        && let Some((column, row)) = scale.cell(end, plot)
-    {
-        put(buf, plot, row, column, SIGN, theme.check);
+    if let Some(end) = shown.result.curve.failure {
+        chart.mark(end, SIGN, Ink::Check);
     }
 }
 

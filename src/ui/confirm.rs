@@ -40,5 +40,5 @@ pub(crate) fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme
         put(buf, place, row as u16 + 1, 2, line, theme.text);
     }
     let last = height.saturating_sub(1);
-    put(buf, place, last, 0, &theme.rule().repeat(usize::from(width)), theme.heading);
+    put(buf, place, last, 0, &theme.glyphs.rule().repeat(usize::from(width)), theme.heading);
 }

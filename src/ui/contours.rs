@@ -1,20 +1,20 @@
 //! The deformed net as lines of equal height in the plan.
 
-use super::canvas::{Canvas, DotPen, Pattern};
-use super::theme::Theme;
 use crate::app::App;
+use crate::show::grid::{DotGrid, DotPen, Pattern};
+use crate::show::picture::Ink;
 
 /// Heights at which lines are drawn, over the largest height.
 pub(crate) const LEVELS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 
 /// Draws the lines of the result shown, if its shape is known. `reach` is the width of the plan in m.
-pub(crate) fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
+pub(crate) fn draw(app: &App, reach: f64, grid: &mut DotGrid) {
     let Some(relief) = app.shown_check().and_then(|shown| shown.relief) else { return };
     if relief.highest <= 0.0 {
         return;
     }
-    let pen = DotPen { style: theme.check, pattern: Pattern::Solid, ascii: Some('.') };
-    let (width, height) = canvas.dots();
+    let pen = DotPen { ink: Ink::Check, pattern: Pattern::Solid, ascii: Some('.') };
+    let (width, height) = grid.dots();
     // A few characters hold one line, not four.
     let levels = if width < 20 { &LEVELS[1..2] } else { &LEVELS[..] };
     // Which band of height a dot is in; a line runs where neighbours differ.
@@ -32,7 +32,7 @@ pub(crate) fn draw(app: &App, reach: f64, canvas: &mut Canvas, theme: &Theme) {
                 || here > band(x, y + 1)
                 || here > band(x, y - 1)
             {
-                canvas.dot(x, y, pen);
+                grid.dot(x, y, pen);
             }
         }
     }

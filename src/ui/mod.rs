@@ -19,12 +19,12 @@
 //! below 40x12 one line says so.
 
 pub(crate) mod answer;
-pub(crate) mod canvas;
 pub(crate) mod chart;
 pub(crate) mod check;
 pub(crate) mod compact;
 pub(crate) mod confirm;
 pub(crate) mod contours;
+mod curves;
 pub(crate) mod export;
 pub(crate) mod hint;
 pub(crate) mod inputs;

@@ -1,12 +1,13 @@
 //! The cell from above: anchor plates and punch to scale, and the direction of the net.
 
-use super::canvas::{Canvas, DotPen, Pattern};
 use super::contours;
-use super::text::{below, heading, put};
+use super::text::{self, below, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::layout::Layout;
+use crate::show::grid::{DotGrid, DotPen, Pattern};
+use crate::show::picture::{Ink, Picture};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::f64::consts::TAU;
@@ -21,18 +22,20 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     // A character is about twice as high as wide.
     let rows = room.height.min((room.width - 5) / 2);
     let plan = Rect { x: room.x + 1, y: room.y, width: rows * 2, height: rows };
-    let mut canvas = Canvas::new(plan, theme.glyphs);
+    let mut grid = DotGrid::new(usize::from(plan.width), usize::from(plan.height), theme.glyphs);
     let layout = app.layout().layout();
-    let view = View::of(&layout, &canvas);
-    contours::draw(app, view.reach, &mut canvas, theme);
-    punch(&layout, &view, &mut canvas, theme);
-    plates(&layout, &view, &mut canvas, theme);
-    canvas.show(buf);
+    let view = View::of(&layout, &grid);
+    contours::draw(app, view.reach, &mut grid);
+    punch(&layout, &view, &mut grid);
+    plates(&layout, &view, &mut grid);
+    let mut picture = Picture::new(usize::from(plan.width), usize::from(plan.height));
+    grid.put(&mut picture, 0, 0);
+    text::draw(&picture, plan, buf, theme);
     if let Some(shown) = app.shown_check() {
         // Where the first wire of each run broke; the middle of the bond in the flat net.
         for broken in &shown.result.breaks {
             let (x, y) = view.dot(broken.place[0], broken.place[1]);
-            let (w, h) = canvas.dots();
+            let (w, h) = grid.dots();
             let column = (x / f64::from(w) * f64::from(plan.width)) as u16;
             let row = (y / f64::from(h) * f64::from(plan.height)) as u16;
             let style = if shown.stale() { theme.text } else { theme.caution };
@@ -59,8 +62,8 @@ struct View {
 }
 
 impl View {
-    fn of(layout: &Layout, canvas: &Canvas) -> View {
-        let (w, h) = canvas.dots();
+    fn of(layout: &Layout, grid: &DotGrid) -> View {
+        let (w, h) = grid.dots();
         View { reach: layout.spacing + layout.plate, width: f64::from(w), height: f64::from(h) }
     }
 
@@ -71,10 +74,10 @@ impl View {
 }
 
 /// The plates fill the view's corners: it reaches from the outer edge of one to that of the next.
-fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
-    let pen = DotPen { style: theme.title, pattern: Pattern::Solid, ascii: Some('#') };
+fn plates(layout: &Layout, view: &View, grid: &mut DotGrid) {
+    let pen = DotPen { ink: Ink::Title, pattern: Pattern::Solid, ascii: Some('#') };
     let part = layout.plate / view.reach;
-    let (width, height) = canvas.dots();
+    let (width, height) = grid.dots();
     // A plate smaller than a dot is still one dot; in ASCII a sign is three dots high.
     let size = |dots: i32| (part * f64::from(dots)).round().max(1.0) as i32;
     let (w, h) = (size(width), size(height));
@@ -82,7 +85,7 @@ fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
         for y0 in [0, height - h] {
             for y in y0..y0 + h {
                 for x in x0..x0 + w {
-                    canvas.dot(x, y, pen);
+                    grid.dot(x, y, pen);
                 }
             }
         }
@@ -90,8 +93,8 @@ fn plates(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
 }
 
 /// The outline of the punch and of its images in the neighbouring cells, and its centre.
-fn punch(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
-    let outline = DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: Some('o') };
+fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
+    let outline = DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: Some('o') };
     let (ex, ey) = layout.folded();
     let radius = layout.punch / 2.0;
     let reach = view.reach / 2.0;
@@ -106,9 +109,9 @@ fn punch(layout: &Layout, view: &View, canvas: &mut Canvas, theme: &Theme) {
                 let angle = TAU * f64::from(i) / 64.0;
                 view.dot(cx + radius * angle.cos(), cy + radius * angle.sin())
             });
-            canvas.line(circle, outline);
+            grid.line(circle, outline);
             let (x, y) = view.dot(cx, cy);
-            canvas.dot(x.floor() as i32, y.floor() as i32, DotPen { ascii: Some('+'), ..outline });
+            grid.dot(x.floor() as i32, y.floor() as i32, DotPen { ascii: Some('+'), ..outline });
         }
     }
 }

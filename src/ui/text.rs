@@ -1,6 +1,7 @@
 //! Small helpers to put text into a part of the screen; nothing is ever drawn outside of it.
 
 use super::theme::Theme;
+use crate::show::picture::Picture;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -34,12 +35,24 @@ pub(crate) fn put_right(buf: &mut Buffer, area: Rect, row: u16, text: &str, styl
     put(buf, area, row, area.width.saturating_sub(width(text)), text, style);
 }
 
+/// Puts a drawing at the top left of an area, cut at its edges; blanks leave the screen as it is.
+pub(crate) fn draw(picture: &Picture, area: Rect, buf: &mut Buffer, theme: &Theme) {
+    let area = area.intersection(buf.area);
+    for (row, column, sign, ink) in picture.cells() {
+        if row < usize::from(area.height) && column < usize::from(area.width) {
+            // Within the area, and so within u16.
+            let place = (area.x + column as u16, area.y + row as u16);
+            buf[place].set_char(sign).set_style(theme.ink(ink));
+        }
+    }
+}
+
 /// A heading: a rule with a word in it, and one at its right end.
 pub(crate) fn heading(buf: &mut Buffer, area: Rect, word: &str, right: &str, theme: &Theme) {
     if area.is_empty() {
         return;
     }
-    put(buf, area, 0, 0, &theme.rule().repeat(usize::from(area.width)), theme.heading);
+    put(buf, area, 0, 0, &theme.glyphs.rule().repeat(usize::from(area.width)), theme.heading);
     put(buf, area, 0, 2, &format!(" {word} "), theme.heading);
     if !right.is_empty() && width(word) + width(right) + 8 <= area.width {
         let text = format!(" {right} ");

@@ -2,6 +2,7 @@
 //! letter, so the same screen reads without it.
 
 use crate::app::look::{ColorMode, Glyphs, Look};
+use crate::show::picture::Ink;
 use ratatui::style::{Color, Modifier, Style};
 
 /// The styles of a look.
@@ -62,27 +63,19 @@ impl Theme {
         }
     }
 
-    /// The sign that rules are drawn with.
-    pub(crate) fn rule(&self) -> &'static str {
-        match self.glyphs {
-            Glyphs::Ascii => "-",
-            _ => "─",
-        }
-    }
-
-    /// The sign of a vertical axis.
-    pub(crate) fn upright(&self) -> &'static str {
-        match self.glyphs {
-            Glyphs::Ascii => "|",
-            _ => "│",
-        }
-    }
-
-    /// The sign where both axes meet.
-    pub(crate) fn corner(&self) -> &'static str {
-        match self.glyphs {
-            Glyphs::Ascii => "+",
-            _ => "└",
+    /// The style of what a drawing shows.
+    pub(crate) fn ink(&self, ink: Ink) -> Style {
+        match ink {
+            Ink::Text => self.text,
+            Ink::Heading => self.heading,
+            Ink::Title => self.title,
+            Ink::Selected => self.selected,
+            Ink::Forecast => self.forecast,
+            Ink::Check => self.check,
+            Ink::Overlay => self.overlay,
+            Ink::Laboratory => self.laboratory,
+            Ink::Design => self.design,
+            Ink::Caution => self.caution,
         }
     }
 }

@@ -33,7 +33,7 @@ pub(crate) fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
     }
     if top == 2 {
         let last = height - 1;
-        put(buf, place, last, 0, &theme.rule().repeat(usize::from(width)), theme.heading);
+        put(buf, place, last, 0, &theme.glyphs.rule().repeat(usize::from(width)), theme.heading);
     }
 }
 

@@ -26,14 +26,21 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("study", &[GROUND, &["dem", "forecast"]]),
     ("lab", &[GROUND, &["dem", "forecast", "study"]]),
     ("project", &[GROUND, &["dem", "study"]]),
-    ("export", &[GROUND, &["dem", "forecast", "project", "study"]]),
+    ("show", &[GROUND, &["dem", "forecast", "study"]]),
+    ("export", &[GROUND, &["dem", "forecast", "project", "show", "study"]]),
     ("job", &[GROUND, &["dem", "forecast", "study"]]),
-    ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "study"]]),
-    ("ui", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study"]]),
-    ("term", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "study", "ui"]]),
+    ("app", &[GROUND, &["dem", "export", "forecast", "job", "project", "show", "study"]]),
+    ("ui", &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "show", "study"]]),
+    (
+        "term",
+        &[GROUND, &["app", "dem", "export", "forecast", "job", "project", "show", "study", "ui"]],
+    ),
     (
         "cli",
-        &[GROUND, &["app", "dem", "export", "forecast", "job", "lab", "project", "study", "term"]],
+        &[
+            GROUND,
+            &["app", "dem", "export", "forecast", "job", "lab", "project", "show", "study", "term"],
+        ],
     ),
 ];
 

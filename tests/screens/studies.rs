@@ -313,6 +313,30 @@ fn a_second_input_makes_a_map() {
     assert_eq!(app.sweep().unwrap().axes[0].to, 4.5);
 }
 
+/// The same signs as on the command line, which its own tests hold.
+#[test]
+fn the_signs_of_a_map_are_those_of_the_command_line_and_are_explained() {
+    let mut app = app((80, 24));
+    let ranges =
+        "w<Down>1.3<Enter><Down>1.4<Enter><Down>3<Enter>m<Down>0.4<Enter><Down>1.35<Enter>";
+    press(&mut app, ranges);
+    let order = order(press(&mut app, "c"));
+    for mut news in news(&order) {
+        // No run of the first case breaks a wire; a punch of 1.35 m cannot be checked at L = 1.3 m.
+        if let What::Case { index: 0, answer, .. } = &mut news.what {
+            let mut result = answer.as_ref().clone().unwrap();
+            result.curve.failure = None;
+            *answer = Ok(result).into();
+        }
+        app.update(Message::Work(news));
+    }
+    let screen = text(&app);
+    assert!(screen.contains("n no break, X cannot be checked"), "{screen}");
+    let rows: Vec<&str> = screen.lines().filter(|line| line.contains('│')).collect();
+    let (above, below) = (rows[1], rows[rows.len() - 1]);
+    assert!(above.contains("│X") && below.contains("│n"), "{screen}");
+}
+
 #[test]
 fn the_spacing_that_just_meets_the_design_force_is_taken() {
     let mut app = start(road_cut(), (80, 24), COLOR);

@@ -1,11 +1,17 @@
 //! Curves drawn in plain characters.
 
 use crate::curve::Curve;
-use crate::units::{LengthUnit, significant, to_kn};
+use crate::show::glyphs::Glyphs;
+use crate::show::grid::{DotPen, Pattern};
+use crate::show::picture::Ink;
+use crate::show::plot::{Plot, PlotAxis};
+use crate::units::{LengthUnit, length_text, significant, to_kn};
 
-/// Columns and rows of the drawing.
+/// Columns and rows between the axes.
 const COLUMNS: usize = 60;
 const ROWS: usize = 14;
+/// Columns of the labels at the left.
+const MARGIN: usize = 9;
 
 /// A curve and the character it is drawn with.
 pub(super) struct ChartLine<'a> {
@@ -26,50 +32,23 @@ pub(crate) fn draw(lines: &[ChartLine], unit: LengthUnit) -> Vec<String> {
     if right <= 0.0 || top <= 0.0 {
         return Vec::new();
     }
-    let mut grid = vec![[' '; COLUMNS]; ROWS];
-    let mut put = |deflection: f64, force: f64, sign: char| {
-        let column = (deflection / right * (COLUMNS - 1) as f64).round();
-        let row = (force / top * (ROWS - 1) as f64).round();
-        if (0.0..COLUMNS as f64).contains(&column) && (0.0..ROWS as f64).contains(&row) {
-            grid[ROWS - 1 - row as usize][column as usize] = sign;
-        }
-    };
+    let x = vec![(0.0, "0".into()), (right, length_text(right, unit))];
+    let x = PlotAxis { ends: (0.0, right), ticks: x };
+    let y = PlotAxis { ends: (0.0, top), ticks: vec![(top, significant(to_kn(top), 3))] };
+    let size = (MARGIN + 1 + COLUMNS, ROWS + 2);
+    let Some(mut plot) = Plot::new(size, MARGIN, x, y, Glyphs::Ascii) else { return Vec::new() };
+    plot.picture.put_right(ROWS - 1, MARGIN - 1, "0", Ink::Text);
+    let mut letters = plot.letters();
     for line in lines {
-        let all: Vec<_> = line.curve.points().collect();
-        for pair in all.windows(2) {
-            // Steep parts are filled in, so that a line has no gaps.
-            let rows = (pair[1].force - pair[0].force).abs() / top * ROWS as f64;
-            let steps = (rows.ceil() as usize).clamp(1, ROWS);
-            for k in 0..=steps {
-                let part = k as f64 / steps as f64;
-                put(
-                    pair[0].deflection + part * (pair[1].deflection - pair[0].deflection),
-                    pair[0].force + part * (pair[1].force - pair[0].force),
-                    line.sign,
-                );
-            }
-        }
+        let pen = DotPen { ink: Ink::Text, pattern: Pattern::Solid, ascii: Some(line.sign) };
+        plot.curve(line.curve.points().map(|p| (p.deflection, p.force)), pen, &mut letters);
     }
+    plot.put(&letters);
     for failure in lines.iter().filter_map(|l| l.curve.failure) {
-        put(failure.deflection, failure.force, 'X');
+        plot.mark(failure.deflection, failure.force, 'X', Ink::Text);
     }
-    let label = |row: usize| match row {
-        0 => significant(to_kn(top), 3),
-        _ if row == ROWS - 1 => "0".to_string(),
-        _ => String::new(),
-    };
-    let mut out: Vec<String> = grid
-        .iter()
-        .enumerate()
-        .map(|(row, signs)| {
-            let signs: String = signs.iter().collect();
-            format!("{:>8} |{}", label(row), signs.trim_end())
-        })
-        .collect();
+    let mut out = plot.picture.lines();
     out[0].push_str("  kN");
-    out.push(format!("{:>8} +{}", "", "-".repeat(COLUMNS)));
-    let end = crate::units::length_text(right, unit);
-    out.push(format!("{:>8}  0{end:>width$}", "", width = COLUMNS - 1));
     out
 }
 

@@ -1,8 +1,9 @@
 //! A sweep of one input with its checks: both side by side, and the forces plotted with their bands.
 
 use super::Swept;
-use super::text::deflection;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
+use crate::show::effect::deflection;
+use crate::show::strip::{StripMark, strip};
 use crate::study::case::CaseValue;
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
@@ -80,28 +81,13 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
 }
 
 /// One line of the plot.
-fn row(
-    width: usize,
-    (least, most): (f64, f64),
-    outcome: &CaseValue,
-    figures: Option<Figures>,
-) -> String {
-    let place = |value: f64| {
-        let part = if most > least { (value - least) / (most - least) } else { 0.5 };
-        (part.clamp(0.0, 1.0) * (width - 1) as f64).round() as usize
-    };
-    let mut cells = vec![' '; width];
-    if let Some([low, high]) = figures.and_then(|f| f.force_band) {
-        // Both ends are within the row, and low is not above high.
-        cells[place(low)..=place(high)].fill('-');
-    }
-    let mean = figures.and_then(|f| f.mean).map(|v| place(v.force));
-    if let Some(at) = mean {
-        cells[at] = 'D';
-    }
-    if let Ok(p) = outcome {
-        let at = place(p.values().force);
-        cells[at] = if mean == Some(at) { '*' } else { 'F' };
-    }
-    cells.into_iter().collect()
+fn row(width: usize, ends: (f64, f64), outcome: &CaseValue, figures: Option<Figures>) -> String {
+    let band = figures.and_then(|f| f.force_band);
+    let mean = figures.and_then(|f| f.mean);
+    let marks = [
+        band.map(|[from, to]| StripMark { from, to, ends, sign: '-' }),
+        mean.map(|v| StripMark::at(v.force, ends, 'D')),
+        outcome.as_ref().ok().map(|p| StripMark::at(p.values().force, ends, 'F')),
+    ];
+    strip(width, marks.into_iter().flatten())
 }

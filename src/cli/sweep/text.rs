@@ -3,6 +3,8 @@
 use super::{Swept, both, map, point};
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
+use crate::show::effect::deflection;
+use crate::show::strip::{StripMark, strip};
 use crate::study::case::CaseValue;
 use crate::study::result::Wanted;
 use crate::study::sweep::{SweepAxis, extent};
@@ -64,14 +66,6 @@ fn range(axis: &SweepAxis, unit: LengthUnit) -> String {
     )
 }
 
-/// A deflection in the unit shown, without its sign.
-pub(crate) fn deflection(metres: f64, unit: LengthUnit) -> String {
-    match unit {
-        LengthUnit::Metre => format!("{metres:.3}"),
-        LengthUnit::Millimetre => format!("{:.0}", metres * unit.per_metre()),
-    }
-}
-
 fn line_plot(page: &mut Page, s: &Swept) {
     let (unit, input, points) = (page.unit, s.sweep.grid.first.input, &s.sweep.points);
     let forces = extent(points, |p| Some(p.values().force));
@@ -114,14 +108,12 @@ fn line_plot(page: &mut Page, s: &Swept) {
                 let mark = if p.doubtful() { "!" } else { " " };
                 // F_a at which the factored resistance is the factored load.
                 let needed = p.answer.at_force.map(|at| at.utilisation * v.force);
-                let drawn = row(
-                    width,
-                    [
-                        (needed, forces, ':'),
-                        (Some(v.deflection), deflections, 'x'),
-                        (Some(v.force), forces, 'F'),
-                    ],
-                );
+                let marks = [
+                    needed.map(|needed| StripMark::at(needed, forces, ':')),
+                    Some(StripMark::at(v.deflection, deflections, 'x')),
+                    Some(StripMark::at(v.force, forces, 'F')),
+                ];
+                let drawn = strip(width, marks.into_iter().flatten());
                 format!(
                     "{at:>11}{:>8}{:>10}{used} {mark} |{drawn}|",
                     kn(v.force),
@@ -132,20 +124,6 @@ fn line_plot(page: &mut Page, s: &Swept) {
         page.lines.push(line);
     }
     page.lines.push(String::new());
-}
-
-/// One line of the plot: each value at its place between the ends of its extent.
-fn row(width: usize, signs: [(Option<f64>, (f64, f64), char); 3]) -> String {
-    let mut cells = vec![' '; width];
-    for (value, (least, most), sign) in signs {
-        let Some(value) = value.filter(|v| (least..=most).contains(v)) else { continue };
-        let part = if most > least { (value - least) / (most - least) } else { 0.5 };
-        let at = (part * (width - 1) as f64).round() as usize;
-        if let Some(cell) = cells.get_mut(at) {
-            *cell = if *cell == 'x' && sign == 'F' { '*' } else { sign };
-        }
-    }
-    cells.into_iter().collect()
 }
 
 /// What the points warn of, with how many of them do.

@@ -4,10 +4,9 @@
 //! Step: 10 % of d, L, D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone;
 //! with L the offsets stay as they are in metres.
 //!
-//! - [`dem`]: the same by checks; [`scale`]: changes as texts that stand under each other.
+//! - [`dem`]: the same by checks.
 
 pub(crate) mod dem;
-pub(crate) mod scale;
 
 use crate::study::case::{Case, CaseValue, Input};
 use crate::units::without_noise;

@@ -1,14 +1,17 @@
 //! All layouts in a table that can be sorted, and their curves in one chart.
 
-use super::super::canvas::{Canvas, DotPen, Pattern};
 use super::super::layouts::first_shown;
-use super::super::text::{below, cut, heading, put, put_right, width};
+use super::super::text::{self, below, cut, heading, put, put_right, width};
 use super::super::theme::Theme;
-use super::plot::{self, Plot};
+use super::size;
 use crate::app::App;
 use crate::app::studies::compare::{ColumnHead, CompareView};
 use crate::forecast::rescaled;
 use crate::forecast::warning::Weight;
+use crate::show::effect;
+use crate::show::grid::{DotPen, Pattern};
+use crate::show::picture::Ink;
+use crate::show::plot::{self, Plot};
 use crate::study::case::NoValue;
 use crate::study::compare::Column;
 use crate::units::{LengthUnit, force_text, percent, significant, to_kn};
@@ -42,7 +45,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let table_area = Rect { height: rest.height - chart, ..rest };
     table(app, view, table_area, buf, theme);
     let lower = below(rest, table_area.height);
-    if lower.height > plot::SMALLEST.1 {
+    if lower.height > plot::SMALLEST.1 as u16 {
         let words = format!("F (kN) over delta ({})", app.units().symbol());
         heading(buf, lower, &words, &legend(view), theme);
         curves(app, view, below(lower, 1), buf, theme);
@@ -95,14 +98,11 @@ fn columns_of(head: ColumnHead) -> u16 {
 fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> String {
     let Some(r) = view.comparison.rows.get(row) else { return String::new() };
     let none = || "-".to_string();
-    let size = |v: f64| match unit {
+    let length = |v: f64| match unit {
         LengthUnit::Metre => format!("{v:.2}"),
         LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
     };
-    let deflection = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.3}"),
-        LengthUnit::Millimetre => size(v),
-    };
+    let deflection = |v: f64| effect::deflection(v, unit);
     let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
     let kn = |v: f64| significant(to_kn(v), 3);
     let l = &r.case.layout;
@@ -112,11 +112,11 @@ fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> S
         ColumnHead::Of(column) => match column {
             Column::Name => r.name.clone(),
             Column::Mesh => r.case.mesh.id.clone(),
-            Column::Plate => size(l.plate),
-            Column::Spacing => size(l.spacing),
-            Column::Punch => size(l.punch),
-            Column::OffsetX => size(l.ex),
-            Column::OffsetY => size(l.ey),
+            Column::Plate => length(l.plate),
+            Column::Spacing => length(l.spacing),
+            Column::Punch => length(l.punch),
+            Column::OffsetX => length(l.ex),
+            Column::OffsetY => length(l.ey),
             Column::Force => match r.values() {
                 Ok(v) => kn(v.force),
                 Err(NoValue::PunchOnPlate) => "plate".into(),
@@ -280,34 +280,27 @@ fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &T
     }
     let x = (0.0, largest(|v| v.deflection) * per_metre);
     let y = (0.0, to_kn(largest(|v| v.force)));
-    let Some(plot) = Plot::new(area, x, y, buf, theme) else { return };
-    let mut canvas = Canvas::new(plot.area, theme.glyphs);
+    let Some(mut plot) = Plot::holding(size(area), x, y, theme.glyphs) else { return };
+    let mut grid = plot.grid();
     let marked = |row: usize| view.layouts.get(row) == Some(&app.comparison_marked());
     for (place, (row, v)) in values.iter().enumerate() {
-        let letter = view.letter(*row).unwrap_or('?');
-        let pattern = [(6, 2), (3, 3), (8, 2), (2, 2), (5, 4)][place % 5];
+        let (on, off) = [(6, 2), (3, 3), (8, 2), (2, 2), (5, 4)][place % 5];
+        let ascii = view.letter(*row).unwrap_or('?').to_ascii_lowercase();
         let pen = if marked(*row) {
-            DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: None }
+            DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: None }
         } else {
-            DotPen {
-                style: theme.overlay,
-                pattern: Pattern::Dashed(pattern.0, pattern.1),
-                ascii: Some(letter.to_ascii_lowercase()),
-            }
+            let pattern = Pattern::Dashed(on, off);
+            DotPen { ink: Ink::Overlay, pattern, ascii: Some(ascii) }
         };
         let curve = rescaled(*v, POINTS);
-        plot.curve(
-            curve.points().map(|p| (p.deflection * per_metre, to_kn(p.force))),
-            pen,
-            &mut canvas,
-        );
+        let points = curve.points().map(|p| (p.deflection * per_metre, to_kn(p.force)));
+        plot.curve(points, pen, &mut grid);
     }
-    canvas.show(buf);
+    plot.put(&grid);
     for (row, v) in &values {
-        let style = if marked(*row) { theme.forecast } else { theme.overlay };
-        if let Some((column, line)) = plot.cell(v.deflection * per_metre, to_kn(v.force)) {
-            let letter = view.letter(*row).unwrap_or('?').to_string();
-            put(buf, plot.area, line, column, &letter, style);
-        }
+        let ink = if marked(*row) { Ink::Forecast } else { Ink::Overlay };
+        let letter = view.letter(*row).unwrap_or('?');
+        plot.mark(v.deflection * per_metre, to_kn(v.force), letter, ink);
     }
+    text::draw(&plot.picture, area, buf, theme);
 }

@@ -1,9 +1,8 @@
-//! The pages of studies, one a file; [`map`] is a sweep of two inputs, [`plot`] the chart that they share.
+//! The pages of studies, one a file; [`map`] is a sweep of two inputs.
 
 pub(crate) mod compare;
 pub(crate) mod design;
 pub(crate) mod map;
-pub(crate) mod plot;
 pub(crate) mod sensitivity;
 pub(crate) mod sweep;
 
@@ -14,7 +13,6 @@ use crate::app::keymap::StudyPage;
 use crate::job::pace::duration;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;
-use crate::units::LengthUnit;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -55,15 +53,6 @@ fn nothing(text: &str, area: Rect, buf: &mut Buffer, theme: &Theme) {
     put(buf, area, 2, 2, text, theme.caution);
 }
 
-/// The paper's symbol of what is shown.
-fn symbol(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "F",
-        Effect::Deflection => "delta",
-        Effect::Utilisation => "use",
-    }
-}
-
 /// What a key goes through, with the one that is shown.
 fn value(effect: Effect) -> &'static str {
     match effect {
@@ -73,11 +62,7 @@ fn value(effect: Effect) -> &'static str {
     }
 }
 
-/// The unit of what is shown.
-fn unit_of(effect: Effect, unit: LengthUnit) -> &'static str {
-    match effect {
-        Effect::Force => "kN",
-        Effect::Deflection => unit.symbol(),
-        Effect::Utilisation => "%",
-    }
+/// Columns and rows of an area.
+fn size(area: Rect) -> (usize, usize) {
+    (usize::from(area.width), usize::from(area.height))
 }

@@ -2,16 +2,16 @@
 
 use super::super::text::{below, cut, heading, put, put_right};
 use super::super::theme::Theme;
-use super::{nothing, plan, symbol, unit_of, value};
+use super::{nothing, plan, value};
 use crate::app::App;
-use crate::app::look::Glyphs;
 use crate::app::studies::sensitivity::SensitivityView;
-use crate::study::case::{NoValue, input_unit, input_value};
+use crate::show::effect::{self, EffectScale};
+use crate::show::picture::Ink;
+use crate::show::tornado::{self, Moves};
+use crate::study::case::NoValue;
 use crate::study::checks::NoCheck;
-use crate::study::sensitivity::dem::CheckedStep;
-use crate::study::sensitivity::scale::EffectScale;
-use crate::study::sensitivity::{Bar, Effect, Step};
-use crate::units::{LengthUnit, force_text, length_text, percent};
+use crate::study::sensitivity::Effect;
+use crate::units::{force_text, length_text, percent};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -28,8 +28,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         heading(buf, area, &format!("sensitivity of {name}"), "", theme);
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
-    let unit = unit_of(view.effect, app.units());
-    let title = format!("sensitivity of {name}: change of {}, {unit}", symbol(view.effect));
+    let title = format!("sensitivity of {name}: {}", title_of(view.effect, app));
     heading(buf, area, &title, value(view.effect), theme);
     let mut rest = below(area, 1);
     let columns = usize::from(rest.width.saturating_sub(2));
@@ -55,13 +54,18 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
             if left.height < EACH + 1 {
                 break;
             }
-            let unit = unit_of(effect, app.units());
-            let title = format!("change of {}, {unit}", symbol(effect));
-            heading(buf, left, &title, "", theme);
+            heading(buf, left, &title_of(effect, app), "", theme);
             left = below(left, 1);
         }
         let height = if place == 0 && table.height < 2 * EACH { left.height } else { EACH };
-        tornado(app, view, effect, Rect { height: height.min(left.height), ..left }, buf, theme);
+        draw_tornado(
+            app,
+            view,
+            effect,
+            Rect { height: height.min(left.height), ..left },
+            buf,
+            theme,
+        );
         left = below(left, EACH);
     }
     let foot = below(rest, table.height);
@@ -69,6 +73,10 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     for (row, (text, style)) in notes.iter().enumerate() {
         put(buf, foot, first + row as u16, 1, &cut(text, columns), *style);
     }
+}
+
+fn title_of(shown: Effect, app: &App) -> String {
+    format!("change of {}, {}", effect::symbol(shown), effect::unit(shown, app.units()))
 }
 
 /// What the layout itself gives, by the forecast and by its check.
@@ -122,13 +130,40 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
 struct Line {
     label: String,
     by: &'static str,
-    low: String,
-    high: String,
-    sizes: [Option<f64>; 2],
-    style: Style,
+    moves: Moves,
+    ink: Ink,
 }
 
-fn tornado(
+/// The lines of a tornado, one or two an input, with its largest change and how changes are written.
+fn lines(
+    app: &App,
+    view: &SensitivityView,
+    effect: Effect,
+    wide: bool,
+) -> (Vec<Line>, f64, EffectScale) {
+    let both = view.coverage.any() || app.campaign().is_some();
+    let checked = both.then_some(&view.checked);
+    let most = tornado::most(&view.forecast, checked, effect);
+    let scale = EffectScale::aligned(effect, app.units(), most);
+    let rows = tornado::tornado(&view.forecast, checked, effect, &scale, app.units());
+    let mut lines = Vec::new();
+    for row in rows {
+        let range = if wide { row.range.as_str() } else { "" };
+        let by = match effect {
+            Effect::Force => "F_a",
+            Effect::Deflection => "d_a",
+            Effect::Utilisation => "use",
+        };
+        let label = format!("{:<9}{range}", row.input.symbol());
+        lines.push(Line { label, by, moves: row.forecast, ink: Ink::Forecast });
+        if let Some(moves) = row.check {
+            lines.push(Line { label: String::new(), by: "DEM", moves, ink: Ink::Check });
+        }
+    }
+    (lines, most, scale)
+}
+
+fn draw_tornado(
     app: &App,
     view: &SensitivityView,
     effect: Effect,
@@ -136,40 +171,8 @@ fn tornado(
     buf: &mut Buffer,
     theme: &Theme,
 ) {
-    let unit = app.units();
-    let bars = view.forecast.by(effect);
-    let by_check = view.checked.bars.iter().map(|bar| bar.largest(effect)).fold(0.0, f64::max);
-    let most = bars.first().map_or(0.0, |bar| bar.largest(effect)).max(by_check);
-    let scale = EffectScale::new(effect, unit, most);
     let wide = area.width >= WITH_RANGES;
-    let mut lines = Vec::new();
-    let both = view.coverage.any() || app.campaign().is_some();
-    for bar in bars {
-        let range = if wide { range(bar, unit) } else { String::new() };
-        lines.push(Line {
-            label: format!("{:<9}{range}", bar.input.symbol()),
-            by: "F_a",
-            low: forecast(&bar.lowered, effect, &scale),
-            high: forecast(&bar.raised, effect, &scale),
-            sizes: [&bar.lowered, &bar.raised].map(|s| s.change.and_then(|c| c.of(effect))),
-            style: theme.forecast,
-        });
-        let Some(other) = view.checked.bar(bar.input).filter(|_| both) else { continue };
-        let of = |s: &CheckedStep| s.change.and_then(|c| c.of(effect)).map(|known| known.value);
-        lines.push(Line {
-            label: String::new(),
-            by: "DEM",
-            low: found(&other.lowered, &scale),
-            high: found(&other.raised, &scale),
-            sizes: [of(&other.lowered), of(&other.raised)],
-            style: theme.check,
-        });
-    }
-    if effect == Effect::Deflection {
-        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "d_a");
-    } else if effect == Effect::Utilisation {
-        lines.iter_mut().filter(|l| l.by == "F_a").for_each(|l| l.by = "use");
-    }
+    let (lines, most, scale) = lines(app, view, effect, wide);
     let label: u16 = if wide { 28 } else { 9 };
     let number: u16 = if wide { 9 } else { 7 };
     let start = label + 4 + 2 * number + 1;
@@ -191,14 +194,15 @@ fn tornado(
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
         let row = row as u16;
         put(buf, list, row, 1, &cut(&line.label, usize::from(label)), theme.text);
-        put(buf, list, row, label, line.by, line.style);
-        for (at, text) in [(0, &line.low), (1, &line.high)] {
-            let end = label + 4 + (at + 1) * number;
+        let style = theme.ink(line.ink);
+        put(buf, list, row, label, line.by, style);
+        for (at, text) in (1..).zip(&line.moves.texts) {
+            let end = label + 4 + at * number;
             put_right(buf, Rect { width: end.min(list.width), ..list }, row, text, theme.text);
         }
         if half > 0 {
-            let drawn = drawing(line.sizes, most, usize::from(half), theme.glyphs);
-            put(buf, list, row, start, &drawn, line.style);
+            let drawn = tornado::bars(line.moves.sizes, most, usize::from(half), theme.glyphs);
+            put(buf, list, row, start, &drawn, style);
         }
     }
     if scrolled {
@@ -208,68 +212,8 @@ fn tornado(
     }
 }
 
-fn range(bar: &Bar, unit: LengthUnit) -> String {
-    let value = |v: f64| input_value(bar.input, v, unit);
-    let symbol = input_unit(bar.input, unit);
-    format!("{} to {} {symbol}", value(bar.lowered.value), value(bar.raised.value))
-}
-
-/// A change by the forecast in words; `*` where the branch changes.
-fn forecast(step: &Step, effect: Effect, scale: &EffectScale) -> String {
-    match (&step.change, &step.outcome) {
-        (Some(change), _) => {
-            let mark = if change.other_branch { "*" } else { " " };
-            change.of(effect).map_or(String::new(), |c| scale.text(c) + mark)
-        }
-        (None, Err(why)) => why.short().to_string(),
-        (None, Ok(_)) => "- ".to_string(),
-    }
-}
-
-/// A change by checks in words; `~` where it may be chance.
-fn found(step: &CheckedStep, scale: &EffectScale) -> String {
-    match (step.change.and_then(|c| c.of(scale.effect)), &step.answer) {
-        (Some(known), _) => scale.text(known.value) + if known.doubtful() { "~" } else { " " },
-        (None, Err(NoCheck::NotMade)) => ". ".to_string(),
-        (None, Err(NoCheck::Laboratory)) => "none ".to_string(),
-        (None, Err(_)) => "no ".to_string(),
-        (None, Ok(_)) => "- ".to_string(),
-    }
-}
-
-/// The two bars from the middle to both sides, as signs that read without colour: the lower half of
-/// the line for lowered, the upper half for raised, the whole for both.
-fn drawing(changes: [Option<f64>; 2], most: f64, half: usize, glyphs: Glyphs) -> String {
-    let [low, high] = changes.map(|change| {
-        // At most `half` by the choice of `most`.
-        if most > 0.0 { (change.unwrap_or(0.0) / most * half as f64).round() as isize } else { 0 }
-    });
-    let covers = |end: isize, at: isize| {
-        if end < 0 { (end..0).contains(&at) } else { (1..=end).contains(&at) }
-    };
-    let [lowered, raised, both, middle] = signs(glyphs);
-    let half = half as isize;
-    (-half..=half)
-        .map(|at| match (at, covers(low, at), covers(high, at)) {
-            (0, ..) => middle,
-            (_, true, true) => both,
-            (_, true, false) => lowered,
-            (_, false, true) => raised,
-            _ => ' ',
-        })
-        .collect()
-}
-
-/// Signs of a bar: lowered, raised, both, and the middle.
-fn signs(glyphs: Glyphs) -> [char; 4] {
-    match glyphs {
-        Glyphs::Ascii => ['-', '=', '#', '|'],
-        _ => ['▄', '▀', '█', '│'],
-    }
-}
-
 fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)> {
-    let [lowered, raised, both, _] = signs(theme.glyphs);
+    let [lowered, raised, both, _] = tornado::signs(theme.glyphs);
     let offset =
         length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing, app.units());
     let mut lines = vec![(
@@ -299,33 +243,7 @@ fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style
             lines.push((format!("no: {}", why.reason()), theme.caution));
         }
     }
-    let steps = || view.forecast.bars.iter().flat_map(|bar| [&bar.lowered, &bar.raised]);
-    if steps().any(|s| s.change.is_some_and(|c| c.other_branch)) {
-        let text = "* the step goes over the branch change at D = d, where A.1 and A.2 jump";
-        lines.push((text.into(), theme.caution));
-    }
-    for (code, text) in [
-        ("punch_on_plate", "on plate: the step takes the punch onto an anchor plate"),
-        ("senseless", "no sense: plate and punch must be smaller than the spacing"),
-    ] {
-        if steps().any(|s| s.outcome.as_ref().is_err_and(|e| e.code() == code)) {
-            lines.push((text.into(), theme.caution));
-        }
-    }
+    let notes = tornado::notes(&view.forecast).into_iter();
+    lines.extend(notes.map(|(head, text)| (format!("{head}: {text}"), theme.caution)));
     lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bars_run_from_the_middle_and_read_without_colour() {
-        let ascii = |low, high| drawing([low, high], 1.0, 4, Glyphs::Ascii);
-        assert_eq!(ascii(Some(-1.0), Some(0.5)), "----|==  ");
-        assert_eq!(ascii(Some(1.0), Some(0.5)), "    |##--");
-        assert_eq!(ascii(None, None), "    |    ");
-        assert_eq!(drawing([Some(-1.0), Some(1.0)], 1.0, 2, Glyphs::Block), "▄▄│▀▀");
-        assert_eq!(drawing([Some(1.0), None], 0.0, 1, Glyphs::Ascii), " | ");
-    }
 }

@@ -1,15 +1,17 @@
 //! A sweep: its ranges at the head, the forecast as a line with the checks' points and bands, and the
 //! marked point in words. Maps are drawn by [`super::map`].
 
-use super::super::canvas::{Canvas, DotPen, Pattern};
-use super::super::text::{below, cut, heading, put, put_right};
+use super::super::text::{self, below, cut, heading, put, put_right};
 use super::super::theme::Theme;
-use super::plot::Plot;
-use super::{map, nothing, plan, symbol, unit_of, value};
+use super::{map, nothing, plan, size, value};
 use crate::app::App;
 use crate::app::entry::Slot;
 use crate::app::studies::sweep::SweepView;
-use crate::study::case::{CasePoint, Input, input_unit, input_value};
+use crate::show::effect;
+use crate::show::grid::{DotPen, Pattern};
+use crate::show::picture::Ink;
+use crate::show::plot::Plot;
+use crate::study::case::{Input, input_unit, input_value};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
@@ -30,7 +32,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
     let unit = app.units();
-    let title = format!("sweep of {name}: {}, {}", symbol(view.shown), unit_of(view.shown, unit));
+    let (symbol, symbol_unit) = (effect::symbol(view.shown), effect::unit(view.shown, unit));
+    let title = format!("sweep of {name}: {symbol}, {symbol_unit}");
     heading(buf, area, &title, value(view.shown), theme);
     let mut rest = below(area, 1);
     for axis in 0..view.axes.len() {
@@ -58,33 +61,6 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let columns = usize::from(foot.width.saturating_sub(2));
     for (row, (text, style)) in notes.iter().enumerate() {
         put(buf, foot, row as u16, 1, &cut(text, columns), *style);
-    }
-}
-
-/// What is shown of a forecast, in its unit.
-pub(super) fn read(point: &CasePoint, effect: Effect, unit: LengthUnit) -> Option<f64> {
-    match effect {
-        Effect::Force => Some(to_kn(point.values().force)),
-        Effect::Deflection => Some(point.values().deflection * unit.per_metre()),
-        Effect::Utilisation => point.utilisation().map(|u| 100.0 * u),
-    }
-}
-
-/// The same of a check.
-pub(super) fn found(figures: &Figures, effect: Effect, unit: LengthUnit) -> Option<f64> {
-    match effect {
-        Effect::Force => figures.mean.map(|v| to_kn(v.force)),
-        Effect::Deflection => figures.mean.map(|v| v.deflection * unit.per_metre()),
-        Effect::Utilisation => figures.utilisation.map(|u| 100.0 * u),
-    }
-}
-
-/// The band of a check, where what is shown has one.
-fn band(figures: &Figures, effect: Effect, unit: LengthUnit) -> Option<[f64; 2]> {
-    match effect {
-        Effect::Force => figures.force_band.map(|b| b.map(to_kn)),
-        Effect::Deflection => figures.deflection_band.map(|b| b.map(|v| v * unit.per_metre())),
-        Effect::Utilisation => None,
     }
 }
 
@@ -126,15 +102,16 @@ fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, t
 
 /// The forecast as a line, the checks as points with their bands.
 fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let (unit, effect) = (app.units(), view.shown);
+    let (unit, shown) = (app.units(), view.shown);
     let Some(range) = view.axes.first() else { return };
     let across = |v: f64| if range.input.is_force() { to_kn(v) } else { v * unit.per_metre() };
+    let up = |v: f64| effect::in_unit(v, shown, unit);
     let forecast: Vec<(f64, f64)> = view
         .line
         .iter()
         .map(|(at, outcome)| {
-            let y = outcome.as_ref().ok().and_then(|p| read(p, effect, unit));
-            (across(*at), y.unwrap_or(f64::NAN))
+            let y = outcome.as_ref().ok().and_then(|p| effect::read(p, shown));
+            (across(*at), y.map_or(f64::NAN, up))
         })
         .collect();
     let columns: &[f64] = view.grid.as_ref().map_or(&[], |grid| &grid.columns);
@@ -143,14 +120,15 @@ fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme
         .zip(&view.figures)
         .filter_map(|(at, figures)| Some((across(*at), figures.as_ref()?)))
         .collect();
+    let found = |figures: &Figures| effect::found(figures, shown).map(up);
+    let band = |figures: &Figures| effect::band(figures, shown).map(|ends| ends.map(up));
     let mut seen: Vec<f64> = forecast.iter().map(|p| p.1).filter(|y| y.is_finite()).collect();
     for (_, figures) in &checked {
-        seen.extend(found(figures, effect, unit));
-        seen.extend(band(figures, effect, unit).into_iter().flatten());
+        seen.extend(found(figures));
+        seen.extend(band(figures).into_iter().flatten());
     }
-    let Some((least, most)) = seen.iter().fold(None, |ends: Option<(f64, f64)>, y| {
-        Some(ends.map_or((*y, *y), |(a, b)| (a.min(*y), b.max(*y))))
-    }) else {
+    let ends = seen.iter().map(|y| (*y, *y)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let Some((least, most)) = ends else {
         return nothing(
             "no value anywhere in the range: the punch is on a plate, or sizes make no sense",
             area,
@@ -159,48 +137,46 @@ fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme
         );
     };
     // The limit of the utilisation stands on the chart where it is near.
-    let limit = (effect == Effect::Utilisation).then_some(100.0).filter(|v| {
+    let limit = (shown == Effect::Utilisation).then_some(100.0).filter(|v| {
         let room = 0.5 * (most - least).max(1.0);
         (least - room..=most + room).contains(v)
     });
     let (least, most) = limit.map_or((least, most), |v: f64| (least.min(v), most.max(v)));
     let ends = (across(range.from), across(range.to));
-    let Some(plot) = Plot::new(area, ends, (least, most), buf, theme) else { return };
-    let mut canvas = Canvas::new(plot.area, theme.glyphs);
+    let Some(mut plot) = Plot::holding(size(area), ends, (least, most), theme.glyphs) else {
+        return;
+    };
+    let mut lines = plot.grid();
     if let Some(limit) = limit {
-        let pen = DotPen { style: theme.design, pattern: Pattern::Dashed(2, 4), ascii: Some('-') };
-        plot.curve([(ends.0, limit), (ends.1, limit)], pen, &mut canvas);
+        let pen = DotPen { ink: Ink::Design, pattern: Pattern::Dashed(2, 4), ascii: Some('-') };
+        plot.curve([(ends.0, limit), (ends.1, limit)], pen, &mut lines);
     }
-    let pen = DotPen { style: theme.forecast, pattern: Pattern::Solid, ascii: None };
-    plot.curve(forecast.iter().copied(), pen, &mut canvas);
-    canvas.show(buf);
-    // The bands lie over the line: a character of the screen has one style.
-    let mut bands = Canvas::new(plot.area, theme.glyphs);
-    let pen = DotPen { style: theme.check, pattern: Pattern::Solid, ascii: Some(':') };
+    let pen = DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: None };
+    plot.curve(forecast.iter().copied(), pen, &mut lines);
+    plot.put(&lines);
+    // The bands lie over the line: a character has one ink.
+    let mut bands = plot.grid();
+    let pen = DotPen { ink: Ink::Check, pattern: Pattern::Solid, ascii: Some(':') };
     for (x, figures) in &checked {
-        if let Some([low, high]) = band(figures, effect, unit) {
+        if let Some([low, high]) = band(figures) {
             plot.curve([(*x, low), (*x, high)], pen, &mut bands);
         }
     }
-    bands.show(buf);
+    plot.put(&bands);
     for (x, figures) in &checked {
-        if let Some((column, row)) = found(figures, effect, unit).and_then(|y| plot.cell(*x, y)) {
-            put(buf, plot.area, row, column, "o", theme.check);
+        if let Some(y) = found(figures) {
+            plot.mark(*x, y, 'o', Ink::Check);
         }
     }
     let marked = columns.get(view.marked).zip(view.points.get(view.marked));
     if let Some((at, Ok(point))) = marked
-        && let Some(y) = read(point, effect, unit)
-        && let Some((column, row)) = plot.cell(across(*at), y)
+        && let Some(y) = effect::read(point, shown)
     {
-        put(buf, plot.area, row, column, "X", theme.forecast);
+        plot.mark(across(*at), up(y), 'X', Ink::Forecast);
     }
     // Where the layout itself is.
-    let own = range.input.value(&view.case);
-    if let Some((column, _)) = plot.cell(across(own), least) {
-        let axis = Rect { y: plot.area.bottom(), height: 1, ..plot.area };
-        put(buf, axis, 0, column, "^", theme.title);
-    }
+    plot.mark_axis(across(range.input.value(&view.case)), '^', Ink::Title);
+    text::draw(&plot.picture, area, buf, theme);
 }
 
 /// A point of the sweep in words.
@@ -280,10 +256,6 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
     let unit = app.units();
     let Some(grid) = &view.grid else { return };
     let input = grid.first.input;
-    let length = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.3}"),
-        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
-    };
     let ends = [9, 16, 23, 29, 37, 44];
     let write = |buf: &mut Buffer, row: u16, texts: [String; 6], style: Style| {
         for (end, text) in ends.into_iter().zip(texts) {
@@ -302,7 +274,7 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
         let (force, delta, used) = match &view.points[index] {
             Ok(p) => (
                 significant(to_kn(p.values().force), 3),
-                length(p.values().deflection),
+                effect::deflection(p.values().deflection, unit),
                 p.utilisation().map_or_else(none, percent),
             ),
             Err(why) => (String::new(), why.short().to_string(), String::new()),

@@ -1,9 +1,7 @@
 //! A grid of dots finer than characters, for curves and plans: braille, half blocks or plain ASCII.
 
-use crate::app::look::Glyphs;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
+use super::glyphs::Glyphs;
+use super::picture::{Ink, Picture};
 
 /// How a line is drawn, so that lines differ without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,50 +21,51 @@ impl Pattern {
     }
 }
 
-/// A pen: style, pattern, and the character that stands for it in plain ASCII.
+/// A pen: ink, pattern, and the character that stands for it in plain ASCII.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DotPen {
-    /// Style of the characters drawn.
-    pub(crate) style: Style,
+    /// Ink of the characters drawn.
+    pub(crate) ink: Ink,
     /// Which dots are drawn.
     pub(crate) pattern: Pattern,
     /// The character in ASCII; `None` picks one by the height of the dots within it.
     pub(crate) ascii: Option<char>,
 }
 
-/// A grid of dots over an area of the screen.
-pub(crate) struct Canvas {
-    area: Rect,
+/// A grid of dots over a part of a picture.
+pub(crate) struct DotGrid {
+    width: usize,
+    height: usize,
     glyphs: Glyphs,
+    /// Dots of a character, across and down.
+    resolution: (i32, i32),
     cells: Vec<Option<(u8, DotPen)>>,
 }
 
 /// Bit of each dot of a braille character, by column and row.
 const BRAILLE: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-impl Canvas {
-    /// An empty grid over an area.
-    pub(crate) fn new(area: Rect, glyphs: Glyphs) -> Canvas {
-        Canvas {
-            area,
-            glyphs,
-            cells: vec![None; usize::from(area.width) * usize::from(area.height)],
-        }
-    }
-
-    /// Dots of a character, across and down.
-    fn resolution(&self) -> (i32, i32) {
-        match self.glyphs {
+impl DotGrid {
+    /// An empty grid of so many characters.
+    pub(crate) fn new(width: usize, height: usize, glyphs: Glyphs) -> DotGrid {
+        let resolution = match glyphs {
             Glyphs::Braille => (2, 4),
             Glyphs::Block => (1, 2),
             Glyphs::Ascii => (1, 3),
-        }
+        };
+        DotGrid { width, height, glyphs, resolution, cells: vec![None; width * height] }
+    }
+
+    /// An empty grid in which each character is one dot: the letter of the pen that drew it.
+    pub(crate) fn letters(width: usize, height: usize) -> DotGrid {
+        DotGrid { resolution: (1, 1), ..DotGrid::new(width, height, Glyphs::Ascii) }
     }
 
     /// Dots of the whole grid, across and down.
     pub(crate) fn dots(&self) -> (i32, i32) {
-        let (x, y) = self.resolution();
-        (i32::from(self.area.width) * x, i32::from(self.area.height) * y)
+        let (x, y) = self.resolution;
+        // Far fewer characters than 2^28.
+        (self.width as i32 * x, self.height as i32 * y)
     }
 
     /// Sets a dot; (0, 0) is the top left one. Dots outside the grid are left out.
@@ -75,13 +74,12 @@ impl Canvas {
         if x < 0 || y < 0 || x >= width || y >= height {
             return;
         }
-        let (rx, ry) = self.resolution();
+        let (rx, ry) = self.resolution;
         let bit = match self.glyphs {
             Glyphs::Braille => BRAILLE[(x % rx) as usize][(y % ry) as usize],
             _ => 1 << (y % ry),
         };
-        let cell =
-            &mut self.cells[(y / ry) as usize * usize::from(self.area.width) + (x / rx) as usize];
+        let cell = &mut self.cells[(y / ry) as usize * self.width + (x / rx) as usize];
         // The pen drawn last owns the character. Braille keeps the dots of others in it; in ASCII they
         // would pick a sign that belongs to neither.
         let bits = match cell {
@@ -122,12 +120,11 @@ impl Canvas {
         }
     }
 
-    /// Puts the drawn characters on the screen; empty ones leave it as it is.
-    pub(crate) fn show(&self, buf: &mut Buffer) {
+    /// Puts the drawn characters into a picture, the top left one at a place; empty ones leave it as
+    /// it is.
+    pub(crate) fn put(&self, picture: &mut Picture, row: usize, column: usize) {
         for (i, cell) in self.cells.iter().enumerate() {
             let Some((bits, pen)) = cell else { continue };
-            let x = self.area.x + (i % usize::from(self.area.width)) as u16;
-            let y = self.area.y + (i / usize::from(self.area.width)) as u16;
             let sign = match self.glyphs {
                 // U+2800 with eight dot bits is always a character.
                 Glyphs::Braille => char::from_u32(0x2800 + u32::from(*bits)).unwrap_or(' '),
@@ -144,9 +141,7 @@ impl Canvas {
                     _ => '|',
                 }),
             };
-            if let Some(target) = buf.cell_mut((x, y)) {
-                target.set_char(sign).set_style(pen.style);
-            }
+            picture.set(row + i / self.width, column + i % self.width, sign, pen.ink);
         }
     }
 }

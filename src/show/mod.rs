@@ -1,0 +1,19 @@
+//! What results look like before they have a form: drawings of plain data (axes, cells, signs), for the
+//! screen and for texts alike. Both differ in size and in the set of signs, not in code.
+//!
+//! - [`glyphs`]: sets of signs; [`picture`]: characters at their places, each with its [`picture::Ink`];
+//! - [`grid`]: dots finer than characters; [`plot`]: axes, curves and points;
+//! - [`strip`]: one line of a plot that is turned on its side;
+//! - [`tornado`]: bars of a sensitivity, with their texts; [`map`]: cells of two inputs, with their signs;
+//! - [`effect`]: the value that a study shows: read, in its unit, in words.
+//!
+//! Functions from a result to rows, blocks or a grid; nothing here knows a terminal or a page.
+
+pub(crate) mod effect;
+pub(crate) mod glyphs;
+pub(crate) mod grid;
+pub(crate) mod map;
+pub(crate) mod picture;
+pub(crate) mod plot;
+pub(crate) mod strip;
+pub(crate) mod tornado;
