@@ -11,6 +11,7 @@ use crate::study::case::Case;
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj,
 };
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands with every answer: what the method is a forecast of.
 pub(crate) const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
@@ -19,6 +20,9 @@ pub(crate) const BASIS: &str = "lower bound: a block in every cell (not one bloc
 pub(crate) const WIDTH: usize = 80;
 /// Columns of the words in front.
 pub(crate) const MARGIN: usize = 14;
+
+/// Columns of a layout's name in a table.
+pub(crate) const NAME: usize = 14;
 
 /// The lines of one layout.
 #[derive(Debug)]
@@ -126,6 +130,24 @@ impl Page {
     pub(crate) fn text(&self) -> String {
         self.lines.join("\n") + "\n"
     }
+}
+
+/// A name in exactly so many columns, cut with `~` where it is longer.
+pub(crate) fn cut(name: &str, columns: usize) -> String {
+    let mut text = String::new();
+    if name.width() < columns {
+        text.push_str(name);
+    } else {
+        for c in name.chars() {
+            if text.width() + c.width().unwrap_or(0) > columns - 2 {
+                break;
+            }
+            text.push(c);
+        }
+        text.push('~');
+    }
+    let room = columns - text.width();
+    text + &" ".repeat(room)
 }
 
 /// What a result says where there is no layout.

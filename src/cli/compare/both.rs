@@ -1,9 +1,8 @@
 //! The checks of a comparison as a second table below the forecasts.
 
 use super::Compared;
-use super::text::{NAME, cut};
 use crate::cli::dem::text as dem;
-use crate::cli::page::{Page, percent};
+use crate::cli::page::{NAME, Page, cut, percent};
 use crate::study::checks::figures::Figures;
 use crate::units::{LengthUnit, significant, to_kn};
 

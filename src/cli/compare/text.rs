@@ -3,14 +3,10 @@
 use super::data::mark;
 use super::{Compared, both};
 use crate::cli::VERSION;
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
+use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut, percent};
 use crate::forecast::warning::Weight;
 use crate::study::compare::{CompareRow, Comparison};
 use crate::units::{LengthUnit, force_text, significant, to_kn};
-use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
-
-/// Columns of a layout's name.
-pub(crate) const NAME: usize = 14;
 
 /// The table with its notes.
 pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
@@ -93,24 +89,6 @@ fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
         mark(row)
     );
     line.trim_end().to_string()
-}
-
-/// A name in exactly so many columns, cut with `~` where it is longer.
-pub(crate) fn cut(name: &str, columns: usize) -> String {
-    let mut text = String::new();
-    if name.width() < columns {
-        text.push_str(name);
-    } else {
-        for c in name.chars() {
-            if text.width() + c.width().unwrap_or(0) > columns - 2 {
-                break;
-            }
-            text.push(c);
-        }
-        text.push('~');
-    }
-    let room = columns - text.width();
-    text + &" ".repeat(room)
 }
 
 fn governing(page: &mut Page, c: &Comparison) {
