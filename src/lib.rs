@@ -11,6 +11,8 @@
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
+//! - [`case`]: a layout with its mesh and its question, its inputs defined once, and what follows from
+//!   it.
 //! - [`study`]: many forecasts or checks at once: sensitivity, sweep, comparison, design; ensembles of checks.
 //! - [`lab`]: the makers' instruments: run time against error, convergence, calibration, the paper's
 //!   own results.
@@ -25,6 +27,7 @@
 
 pub mod app;
 pub mod axis;
+pub mod case;
 pub mod cli;
 pub mod curve;
 pub mod dem;

@@ -50,6 +50,14 @@ impl Problem {
         self
     }
 
+    /// The same problem under another name of its field, if that is in a list of pairs of such.
+    pub(crate) fn renamed(mut self, names: &[(&str, &str)]) -> Self {
+        if let Some((_, name)) = names.iter().find(|(field, _)| *field == self.field) {
+            self.field = (*name).to_string();
+        }
+        self
+    }
+
     /// The same problem seen from the parent: `under("layouts[2]")` turns `d` into `layouts[2].d`.
     pub(crate) fn under(mut self, parent: &str) -> Self {
         self.field = match (parent.is_empty(), self.field.is_empty()) {

@@ -17,7 +17,7 @@ use crate::job::order::{Order, Task};
 use crate::project::Project;
 use crate::study::result::CheckResult;
 use crate::study::result::Wanted;
-use crate::study::result::make::{Made, expected_break, fingerprint};
+use crate::study::result::make::{Made, fingerprint};
 use crate::study::result::relief::Relief;
 use crate::units::{force_text, length_text, significant};
 use std::sync::Arc;
@@ -98,9 +98,9 @@ impl ShownCheck<'_> {
 impl App {
     /// Fingerprint of a layout's check as the inputs are now; nothing where it cannot be checked.
     fn check_inputs(&self, index: usize, wanted: &Wanted) -> Option<Fingerprint> {
-        let mesh = self.results.get(index)?.mesh.as_ref()?;
+        let mesh = self.results.get(index)?.mesh()?;
         let wire = mesh.wire.as_ref()?;
-        Some(fingerprint(&self.project.layouts.get(index)?.layout(), wire, wanted))
+        Some(fingerprint(&self.project.layouts.get(index)?.layout, wire, wanted))
     }
 
     /// The result of a layout that the project keeps, and whether it is current.
@@ -187,13 +187,7 @@ impl App {
     }
 
     fn target(&self, index: usize) -> Option<CheckTarget> {
-        let layout = &self.project.layouts[index];
-        let result = &self.results[index];
-        let mesh = result.mesh.clone()?;
-        let field = result.forecast().and_then(|f| f.field);
-        let geometry = layout.layout();
-        let expected = expected_break(&geometry, field.map(|f| f.values));
-        Some(CheckTarget { uid: layout.uid, layout: geometry, mesh, expected })
+        Some(CheckTarget { uid: self.project.layouts[index].uid, case: self.case(index)? })
     }
 
     pub(super) fn order(&mut self, task: Task) -> Order {

@@ -1,8 +1,8 @@
 //! What `y` and `Y` copy: one line with the answer, the table of layouts, or the page being read.
 
 use super::App;
-use super::field::Field;
 use super::message::Command;
+use crate::case::Input;
 use crate::units::{force_text, length_text, shortest, significant, to_kn};
 
 /// What is said when something was sent; nobody tells whether the terminal took it.
@@ -41,26 +41,26 @@ impl App {
     pub(crate) fn answer_line(&self) -> String {
         let layout = self.layout();
         let m = |v: f64| length_text(v, self.units());
-        let answer = match (&self.result().forecast, self.result().forecast().and_then(|f| f.field))
+        let answer = match (&self.result().derived, self.result().forecast().and_then(|f| f.field))
         {
             (Err(problems), _) => {
                 problems.first().map_or("no forecast".into(), ToString::to_string)
             }
             (_, None) => "no field value: outside the method".into(),
-            (Ok(forecast), Some(field)) => {
+            (Ok(derived), Some(field)) => {
                 let mut text = format!(
                     "F_a {}, delta_a {}",
                     force_text(field.values.force),
                     m(field.values.deflection)
                 );
-                if let Some(a) = self.result().design.and_then(|d| d.at_force) {
+                if let Some(a) = self.result().answer().and_then(|d| d.at_force) {
                     text += &format!(
                         ", use {:.0} % at {} kN",
                         a.utilisation * 100.0,
                         significant(to_kn(a.load), 3)
                     );
                 }
-                if forecast.extrapolated() {
+                if derived.forecast.extrapolated() {
                     text += ", extrapolated";
                 }
                 if let Some(shown) = self.shown_check().filter(|shown| shown.result.broke()) {
@@ -74,10 +74,11 @@ impl App {
                 text
             }
         };
-        let inputs = [Field::Plate, Field::Spacing, Field::Punch, Field::Ex, Field::Ey].map(|f| {
-            let value = f.get(layout).map_or(String::new(), |v| f.entry_text(v, self.units()));
-            format!("{} {value} {}", f.symbol(), f.unit(self.units()))
-        });
+        let inputs = [Input::Plate, Input::Spacing, Input::Punch, Input::OffsetX, Input::OffsetY]
+            .map(|f| {
+                let value = layout.get(f).map_or(String::new(), |v| f.entry_text(v, self.units()));
+                format!("{} {value} {}", f.word(), f.unit(self.units()))
+            });
         format!("{}: {answer}; {}; mesh {}", layout.name, inputs.join(", "), layout.mesh)
     }
 
@@ -89,8 +90,8 @@ impl App {
             let check = self.kept_check(index).filter(|shown| shown.result.broke());
             let forecast = result.forecast();
             let field = forecast.and_then(|f| f.field).map(|f| f.values);
-            let at_force = result.design.and_then(|d| d.at_force);
-            let at_deflection = result.design.and_then(|d| d.at_deflection);
+            let at_force = result.answer().and_then(|d| d.at_force);
+            let at_deflection = result.answer().and_then(|d| d.at_deflection);
             let kn = |v: Option<f64>| v.map_or(String::new(), |v| significant(to_kn(v), 5));
             let plain = |v: Option<f64>| v.map_or(String::new(), |v| significant(v, 5));
             let input = |v: f64| shortest(v);
@@ -100,17 +101,17 @@ impl App {
                 // A tab in a name would be a column.
                 layout.name.replace(['\t', '\n', '\r'], " "),
                 layout.mesh.clone(),
-                input(layout.plate),
-                input(layout.spacing),
-                input(layout.punch),
-                input(layout.ex),
-                input(layout.ey),
+                input(layout.layout.plate),
+                input(layout.layout.spacing),
+                input(layout.layout.punch),
+                input(layout.layout.ex),
+                input(layout.layout.ey),
                 kn(field.map(|v| v.force)),
                 plain(field.map(|v| v.deflection)),
-                kn(layout.design_force),
+                kn(layout.question.force),
                 plain(at_force.map(|a| a.utilisation)),
                 plain(at_force.and_then(|a| a.deflection)),
-                plain(layout.allowable_deflection),
+                plain(layout.question.deflection),
                 kn(at_deflection.map(|a| a.force)),
                 kn(check.map(|c| c.result.force.mean)),
                 plain(check.map(|c| c.result.deflection.mean)),

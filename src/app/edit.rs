@@ -1,7 +1,8 @@
 //! Edits of a layout and of the list of layouts; each is one step of undo.
 
 use super::App;
-use super::field::{Field, StepSize};
+use crate::case::entry::on_grain;
+use crate::case::{Input, StepSize};
 use crate::layout::{self, BranchRule};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
@@ -20,8 +21,11 @@ impl App {
     /// Steps the selected input up or down.
     pub(super) fn step_field(&mut self, size: StepSize, up: bool) {
         let field = self.field;
-        let value = field.stepped(self.layout(), size, up, self.first_value(field));
-        if let Err(refusal) = field.check(value, self.layout(), self.units()) {
+        let value = match self.layout().get(field) {
+            Some(value) => field.stepped(value, &self.layout().layout, size, up),
+            None => self.first_value(field),
+        };
+        if let Err(refusal) = field.check(value, &self.layout().layout, self.units()) {
             return self.complain(refusal);
         }
         self.set_field(Some(value));
@@ -30,22 +34,22 @@ impl App {
     /// Sets the selected input to a checked value, or clears it.
     pub(super) fn set_field(&mut self, value: Option<f64>) {
         let (field, selected) = (self.field, self.selected);
-        let label = format!("{} of {}", field.symbol(), self.layout().name);
-        self.edit(label, |project| field.set(&mut project.layouts[selected], value));
+        let label = format!("{} of {}", field.word(), self.layout().name);
+        self.edit(label, |project| project.layouts[selected].set(field, value));
     }
 
     /// Where an optional input starts: three quarters of what the panel takes, rounded to a step.
-    fn first_value(&self, field: Field) -> f64 {
+    fn first_value(&self, field: Input) -> f64 {
         let Some(panel) = self.result().forecast().and_then(|f| f.field) else {
             return field.step(StepSize::Coarse);
         };
         let whole = match field {
-            Field::DesignForce => panel.values.force,
+            Input::DesignForce => panel.values.force,
             _ => panel.values.deflection,
         };
         let step = field.step(StepSize::Fine);
         let steps = (0.75 * whole / step).round().max(1.0);
-        (steps * step * 1.0e4).round() / 1.0e4
+        on_grain(steps * step)
     }
 
     /// Adds a layout at the reference point after the selected one, with the same mesh.

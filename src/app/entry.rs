@@ -1,15 +1,15 @@
 //! The line of text being typed: a value, a name, a note or a command.
 
-use super::field::Field;
 use super::key::{Code, Key};
 use super::keymap::StudyPage;
-use tui_input::{Input, InputRequest};
+use crate::case::Input;
+use tui_input::{Input as TextInput, InputRequest};
 
 /// What the text is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EditTarget {
     /// The value of an input.
-    Value(Field),
+    Value(Input),
     /// The name of the selected layout.
     Name,
     /// The note of the selected layout.
@@ -40,7 +40,7 @@ impl EditTarget {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Typed {
     /// A design value or a partial factor of the selected layout.
-    Design(Field),
+    Design(Input),
     /// A part of a range: of the first input (0) or the second (1), and which.
     Range(usize, Slot),
 }
@@ -57,7 +57,7 @@ impl Typed {
     /// What the prompt says.
     pub(crate) fn prompt(self) -> &'static str {
         match self {
-            Typed::Design(field) => field.phrase(),
+            Typed::Design(field) => field.row().phrase,
             Typed::Range(_, Slot::Input) => "input",
             Typed::Range(_, Slot::From) => "from",
             Typed::Range(_, Slot::To) => "to",
@@ -85,7 +85,7 @@ pub struct LineEntry {
     /// What it is for.
     pub(crate) target: EditTarget,
     /// The text with its cursor.
-    pub(crate) input: Input,
+    pub(crate) input: TextInput,
     /// Why the text was refused, until it is changed.
     pub(crate) error: Option<String>,
 }
@@ -107,7 +107,7 @@ pub(crate) enum LineKey {
 impl LineEntry {
     /// A line for `target` that starts as `text`, cursor at its end.
     pub(crate) fn new(target: EditTarget, text: impl Into<String>) -> LineEntry {
-        LineEntry { target, input: Input::new(text.into()), error: None }
+        LineEntry { target, input: TextInput::new(text.into()), error: None }
     }
 
     /// The text so far.

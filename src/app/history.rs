@@ -1,7 +1,7 @@
 //! Undo and redo: whole projects, shared where nothing changed. Project files are small, so a step
 //! costs a few kilobytes at the most.
 
-use super::field::Field;
+use crate::case::Input;
 use crate::project::schema::Project;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ pub(crate) struct HistoryStep {
     /// Index of the selected layout.
     pub selected: usize,
     /// The selected input.
-    pub field: Field,
+    pub field: Input,
     /// What the edit did, for the status line: `L of gully`.
     pub label: String,
 }

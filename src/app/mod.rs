@@ -1,7 +1,7 @@
 //! The state of the interactive program: what it holds, what a key does to it, undo. No input or
 //! output happens here; [`message`] says what comes in and what is asked to be done.
 //!
-//! - [`keymap`]: which key means what where; [`field`]: the inputs of a layout.
+//! - [`keymap`]: which key means what where.
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
@@ -16,7 +16,6 @@ pub(crate) mod copy;
 pub(crate) mod derived;
 pub(crate) mod edit;
 pub(crate) mod entry;
-pub(crate) mod field;
 pub(crate) mod fuzzy;
 pub(crate) mod history;
 pub mod key;
@@ -31,12 +30,12 @@ pub(crate) mod studies;
 pub mod tour;
 pub(crate) mod update;
 
+use crate::case::Input;
 use crate::project::schema::{NamedLayout, Project};
 use crate::units::LengthUnit;
 use checks::Work;
-use derived::Derived;
+use derived::LayoutResult;
 use entry::LineEntry;
-use field::Field;
 use history::{History, HistoryStep};
 use keymap::Context;
 use look::Look;
@@ -154,10 +153,10 @@ pub struct App {
     path: Option<PathBuf>,
     history: History,
     selected: usize,
-    field: Field,
+    field: Input,
     mode: Mode,
     status: Option<Status>,
-    results: Vec<Derived>,
+    results: Vec<LayoutResult>,
     look: Look,
     /// A unit asked for on the command line: it is not the project's and never saved.
     units: Option<LengthUnit>,
@@ -205,7 +204,7 @@ impl App {
             path: start.path,
             history: History::default(),
             selected: 0,
-            field: Field::Plate,
+            field: Input::Plate,
             mode: Mode::Main,
             status: start.note.map(|text| Status { level, text }),
             results: Vec::new(),
@@ -256,7 +255,7 @@ impl App {
     }
 
     /// The selected input.
-    pub fn field(&self) -> Field {
+    pub fn field(&self) -> Input {
         self.field
     }
 
@@ -271,12 +270,12 @@ impl App {
     }
 
     /// Forecast and design answer of each layout, in the order of the list.
-    pub(crate) fn results(&self) -> &[Derived] {
+    pub(crate) fn results(&self) -> &[LayoutResult] {
         &self.results
     }
 
     /// Forecast and design answer of the selected layout.
-    pub fn result(&self) -> &Derived {
+    pub fn result(&self) -> &LayoutResult {
         &self.results[self.selected]
     }
 

@@ -2,12 +2,12 @@
 //! and the change to what was opened.
 
 use super::entry::{EditTarget, LineEntry};
-use super::field::Field;
 use super::fuzzy;
 use super::history::History;
 use super::key::Key;
 use super::message::{Command, FoundProject, OpenFailure, OpenedProject};
 use super::{App, Mode};
+use crate::case::Input;
 use std::path::Path;
 
 /// The screen that asks which project to open.
@@ -167,7 +167,7 @@ impl App {
         self.path = Some(opened.path);
         self.history = History::default();
         self.selected = 0;
-        self.field = Field::Plate;
+        self.field = Input::Plate;
         self.units = self.settings.units;
         self.quit_after_save = false;
         self.open_after_save = None;

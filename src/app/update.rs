@@ -1,11 +1,11 @@
 //! What each message does to the state.
 
 use super::entry::{EditTarget, LineEntry, LineKey};
-use super::field::{Field, StepSize};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
 use super::message::{Command, Message, SaveFailure, Saved};
 use super::{App, Mode, settings};
+use crate::case::{Input, StepSize};
 use crate::units::Quantity;
 use std::path::{Path, PathBuf};
 
@@ -110,7 +110,9 @@ impl App {
     /// A digit, a point or a minus on the main screen starts a value.
     fn start_typing(&mut self, key: Key) {
         let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key else { return };
-        if c.is_ascii_digit() || c == '.' || (c == '-' && self.field.quantity() == Quantity::Length)
+        if c.is_ascii_digit()
+            || c == '.'
+            || (c == '-' && self.field.row().quantity == Quantity::Length)
         {
             self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), c));
         } else {
@@ -132,13 +134,13 @@ impl App {
             Action::CoarseUp => self.step_field(StepSize::Coarse, true),
             Action::CoarseDown => self.step_field(StepSize::Coarse, false),
             Action::Type => {
-                let text = self.field.get(self.layout());
+                let text = self.layout().get(self.field);
                 let text = text.map_or(String::new(), |v| self.field.entry_text(v, self.units()));
                 self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), text));
             }
             Action::Clear if self.field.clearable() => self.set_field(None),
             Action::Clear => {
-                self.inform(format!("{} needs a value; type one", self.field.symbol()));
+                self.inform(format!("{} needs a value; type one", self.field.word()));
             }
             Action::NextLayout => self.select_layout(true),
             Action::PreviousLayout => self.select_layout(false),
@@ -215,9 +217,9 @@ impl App {
     }
 
     fn select_field(&mut self, down: bool) {
-        let at = Field::ALL.iter().position(|f| *f == self.field).unwrap_or(0);
-        let last = Field::ALL.len() - 1;
-        self.field = Field::ALL[if down { (at + 1).min(last) } else { at.saturating_sub(1) }];
+        let at = Input::LAYOUT.iter().position(|f| *f == self.field).unwrap_or(0);
+        let last = Input::LAYOUT.len() - 1;
+        self.field = Input::LAYOUT[if down { (at + 1).min(last) } else { at.saturating_sub(1) }];
     }
 
     fn select_layout(&mut self, next: bool) {
@@ -274,7 +276,7 @@ impl App {
         let text = entry.text().to_string();
         let result = match entry.target {
             EditTarget::Value(field) => {
-                field.read(&text, self.layout(), self.units()).map(|value| {
+                field.read(&text, &self.layout().layout, self.units()).map(|value| {
                     self.set_field(value);
                     Vec::new()
                 })

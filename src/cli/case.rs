@@ -1,15 +1,13 @@
 //! One layout to forecast: from a project file or the defaults, with the flags above both.
 
 use super::UiFlags;
+use super::input_flags::InputFlags;
 use super::output::Fault;
-use super::quantity;
-use crate::forecast::design::Question;
+use crate::case::{Input, NamedCase};
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
-use crate::study;
-use crate::study::case::Input;
 use crate::units::LengthUnit;
 use crate::words::nearest;
 use clap::Args;
@@ -34,7 +32,7 @@ pub(crate) struct Source {
 #[derive(Debug)]
 pub(crate) struct Loaded {
     /// One, or those of a project in its order.
-    pub(crate) cases: Vec<Case>,
+    pub(crate) cases: Vec<NamedCase>,
     /// Unit of lengths in texts: of the flag, the project, or metres.
     pub(crate) unit: LengthUnit,
     /// Whether the result is a list, also of one or of none: all layouts of a project.
@@ -62,18 +60,7 @@ impl Source {
     pub(crate) fn with_defaults(&self, defaults: &[(Input, f64)]) -> Source {
         let mut source = self.clone();
         if self.project.is_none() {
-            let inputs = &mut source.inputs.geometry;
-            for (input, value) in defaults {
-                let flag = match input {
-                    Input::Plate => &mut inputs.plate,
-                    Input::Spacing => &mut inputs.spacing,
-                    Input::Punch => &mut inputs.punch,
-                    Input::OffsetX => &mut inputs.ex,
-                    Input::OffsetY => &mut inputs.ey,
-                    Input::LabForce | Input::LabDeflection => continue,
-                };
-                flag.get_or_insert(*value);
-            }
+            source.inputs.geometry.values.default_to(defaults);
         }
         source
     }
@@ -83,21 +70,8 @@ impl Source {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Inputs (above the file's; default: the paper's reference panel)")]
 pub(crate) struct Geometry {
-    /// Side of the square anchor plate, d [default: 0.32 m].
-    #[arg(short = 'd', value_name = "M", value_parser = quantity::size, allow_hyphen_values = true)]
-    plate: Option<f64>,
-    /// Anchor spacing, L; anchors stand on a square grid [default: 3 m].
-    #[arg(short = 'L', value_name = "M", value_parser = quantity::spacing, allow_hyphen_values = true)]
-    spacing: Option<f64>,
-    /// Diameter of the punching block, D [default: 1 m].
-    #[arg(short = 'D', value_name = "M", value_parser = quantity::size, allow_hyphen_values = true)]
-    punch: Option<f64>,
-    /// Offset of the block across the twists, -L/2 to L/2 [default: 0 m].
-    #[arg(long, value_name = "M", value_parser = quantity::offset, allow_hyphen_values = true)]
-    ex: Option<f64>,
-    /// Offset of the block along the twists, down the slope, -L/2 to L/2 [default: 0 m].
-    #[arg(long, value_name = "M", value_parser = quantity::offset, allow_hyphen_values = true)]
-    ey: Option<f64>,
+    #[command(flatten)]
+    values: InputFlags<false>,
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.
     #[arg(long, value_name = "ID")]
     mesh: Option<String>,
@@ -112,18 +86,8 @@ pub(crate) struct Inputs {
     /// Branch of Eqs. A.1-A.2: by the size of the block as published, or the lower force.
     #[arg(long, value_name = "RULE", value_parser = branch_rule())]
     branch: Option<BranchRule>,
-    /// Design force: asks for utilisation and deflection.
-    #[arg(long, value_name = "KN", value_parser = quantity::force, allow_hyphen_values = true)]
-    force: Option<f64>,
-    /// Allowable deflection: asks for the force mobilised.
-    #[arg(long, value_name = "M", value_parser = quantity::deflection, allow_hyphen_values = true)]
-    deflection: Option<f64>,
-    /// Partial factor on the resistance [default: 1].
-    #[arg(long, value_name = "X", value_parser = quantity::factor, allow_hyphen_values = true)]
-    gamma_resistance: Option<f64>,
-    /// Partial factor on the load [default: 1].
-    #[arg(long, value_name = "X", value_parser = quantity::factor, allow_hyphen_values = true)]
-    gamma_load: Option<f64>,
+    #[command(flatten)]
+    question: InputFlags<true>,
 }
 
 impl From<Geometry> for Inputs {
@@ -141,39 +105,6 @@ fn branch_rule() -> impl TypedValueParser<Value = BranchRule> {
             BranchRule::Published
         }
     })
-}
-
-/// One layout to forecast, sound as far as a layout can be by itself.
-#[derive(Debug, Clone)]
-pub(crate) struct Case {
-    /// Name of the layout, where it is one of a project.
-    pub name: Option<String>,
-    /// Geometry, branch rule and design questions.
-    pub entry: NamedLayout,
-    /// Its mesh.
-    pub mesh: Arc<MeshType>,
-}
-
-impl Case {
-    /// Its design questions.
-    pub(crate) fn question(&self) -> Question {
-        Question {
-            force: self.entry.design_force,
-            deflection: self.entry.allowable_deflection,
-            gamma_resistance: self.entry.gamma_resistance,
-            gamma_load: self.entry.gamma_load,
-        }
-    }
-
-    /// The same for a study.
-    pub(crate) fn study(&self) -> study::case::Case {
-        study::case::Case {
-            layout: self.entry.layout(),
-            mesh: self.mesh.clone(),
-            rule: self.entry.branch,
-            question: self.question(),
-        }
-    }
 }
 
 impl Inputs {
@@ -199,7 +130,7 @@ impl Inputs {
     ///
     /// # Errors
     /// Every input that makes no sense, by its flag.
-    pub(crate) fn alone(&self) -> Result<Case, Fault> {
+    pub(crate) fn alone(&self) -> Result<NamedCase, Fault> {
         let entry = NamedLayout::new("command line", REFERENCE, REFERENCE_ID);
         self.over(entry, None, catalogue::find, &ids(catalogue::all()))
     }
@@ -212,7 +143,7 @@ impl Inputs {
         &self,
         project: &Project,
         only: Option<&str>,
-    ) -> Result<Vec<Case>, Fault> {
+    ) -> Result<Vec<NamedCase>, Fault> {
         let meshes = project.available_meshes();
         let case = |layout: &NamedLayout| {
             let find = |id: &str| project.find_mesh(id);
@@ -234,17 +165,10 @@ impl Inputs {
         name: Option<String>,
         find: impl Fn(&str) -> Option<Arc<MeshType>>,
         known: &[String],
-    ) -> Result<Case, Fault> {
-        let set = |to: &mut f64, from: Option<f64>| *to = from.unwrap_or(*to);
-        set(&mut entry.plate, self.geometry.plate);
-        set(&mut entry.spacing, self.geometry.spacing);
-        set(&mut entry.punch, self.geometry.punch);
-        set(&mut entry.ex, self.geometry.ex);
-        set(&mut entry.ey, self.geometry.ey);
-        set(&mut entry.gamma_resistance, self.gamma_resistance);
-        set(&mut entry.gamma_load, self.gamma_load);
-        entry.design_force = self.force.or(entry.design_force);
-        entry.allowable_deflection = self.deflection.or(entry.allowable_deflection);
+    ) -> Result<NamedCase, Fault> {
+        for (input, value) in self.geometry.values.given().chain(self.question.given()) {
+            entry.set(input, Some(value));
+        }
         entry.branch = self.branch.unwrap_or(entry.branch);
         if let Some(id) = &self.geometry.mesh {
             entry.mesh.clone_from(id);
@@ -253,35 +177,38 @@ impl Inputs {
             return Err(Fault::input(unknown_mesh("--mesh", &entry.mesh, known)));
         };
         match entry.check() {
-            Ok(()) => Ok(Case { name, entry, mesh }),
-            Err(found) => Err(Fault::Input(
-                found.into_iter().map(|p| self.placed(p, name.as_deref()).to_string()).collect(),
-            )),
+            Ok(()) => Ok(NamedCase { case: entry.case(mesh), name }),
+            Err(found) => Err(self.placed(found, name.as_deref())),
         }
     }
 
-    /// A problem of a layout's field at the flag, or at the layout of the file, that it comes from.
-    fn placed(&self, mut problem: Problem, layout: Option<&str>) -> Problem {
-        let (flag, given) = match problem.field.as_str() {
-            "d" => ("-d", self.geometry.plate.is_some()),
-            "L" => ("-L", self.geometry.spacing.is_some()),
-            "D" => ("-D", self.geometry.punch.is_some()),
-            "ex" => ("--ex", self.geometry.ex.is_some()),
-            "ey" => ("--ey", self.geometry.ey.is_some()),
-            "design_force" => ("--force", self.force.is_some()),
-            "allowable_deflection" => ("--deflection", self.deflection.is_some()),
-            "gamma_resistance" => ("--gamma-resistance", self.gamma_resistance.is_some()),
-            "gamma_load" => ("--gamma-load", self.gamma_load.is_some()),
-            _ => return problem,
+    /// Problems of inputs at the flags, or at the layout of the file, that they come from.
+    pub(crate) fn placed(&self, found: Vec<Problem>, layout: Option<&str>) -> Fault {
+        Fault::from(found.into_iter().map(|p| self.at_flag(p, layout)).collect::<Vec<_>>())
+    }
+
+    fn at_flag(&self, mut problem: Problem, layout: Option<&str>) -> Problem {
+        let under = |problem: Problem| match layout {
+            Some(name) => problem.under(&format!("layout {name:?}")),
+            None => problem,
         };
-        match layout {
-            _ if given => problem.field = flag.to_string(),
-            Some(name) => problem = problem.under(&format!("layout {name:?}")),
-            None => {
-                problem.field = flag.to_string();
-                problem.value.push_str(" (its default)");
-                problem.advice = format!("give {flag} as well");
-            }
+        let Some(input) = Input::named(&problem.field) else {
+            // What has been put at a flag of its own stays there.
+            return if problem.field.starts_with('-') { problem } else { under(problem) };
+        };
+        let mut given = self.geometry.values.given().chain(self.question.given());
+        let flag = input.row().flag;
+        if given.any(|(given, _)| given == input) {
+            problem.field = flag.to_string();
+            return problem;
+        }
+        if layout.is_some() {
+            return under(problem);
+        }
+        problem.field = flag.to_string();
+        problem.value.push_str(" (its default)");
+        if problem.advice.is_empty() {
+            problem.advice = format!("give {flag} as well");
         }
         problem
     }

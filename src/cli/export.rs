@@ -6,7 +6,7 @@ use super::output::{CommandEnd, Fault};
 use super::source::ProjectFile;
 use crate::export::form::Form;
 use crate::export::svg::{Series, chart, plan};
-use crate::export::{Case, Check, csv};
+use crate::export::{Check, ExportedLayout, csv};
 use clap::{Args, ValueEnum};
 
 /// Write curves or a table as CSV, a chart or a plan as SVG.
@@ -81,7 +81,7 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
     let what = what(args)?;
     let (opened, cases) = args.project.open(args.layout.as_deref())?;
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
-    let without = cases.iter().filter(|case| case.forecast.field.is_none());
+    let without = cases.iter().filter(|case| case.forecast().field.is_none());
     let notes: Vec<String> = without
         .map(|case| {
             format!("layout {:?}: no field value; the punch is on an anchor plate", case.entry.name)
@@ -138,7 +138,7 @@ fn what(args: &ExportArgs) -> Result<What, Fault> {
     }
 }
 
-fn only_one(cases: &[Case]) -> Result<&Case, Fault> {
+fn only_one(cases: &[ExportedLayout]) -> Result<&ExportedLayout, Fault> {
     match cases {
         [one] => Ok(one),
         [] => Err(Fault::input("the project has no layouts, so there is no plan")),

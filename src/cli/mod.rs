@@ -22,6 +22,7 @@ pub(crate) mod destination;
 pub(crate) mod export;
 pub(crate) mod flags;
 pub(crate) mod forecast;
+mod input_flags;
 pub(crate) mod interactive;
 pub(crate) mod lab;
 pub(crate) mod mesh;

@@ -1,13 +1,13 @@
 //! A text for people: lines of at most 80 columns with a word in front.
 
-pub(crate) use crate::study::case::{input_unit, input_value};
+pub(crate) use crate::case::{input_unit, input_value};
 pub(crate) use crate::units::percent;
 
 use super::VERSION;
 use super::output::wrapped;
+use crate::case::Case;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question};
-use crate::study::case::Case;
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj,
 };
@@ -156,7 +156,7 @@ pub(crate) const NO_LAYOUTS: &str = "The project has no layouts.\n";
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::case::Input;
+    use crate::case::Input;
 
     #[test]
     fn numbers_are_short_and_do_not_hide_a_limit() {

@@ -1,10 +1,8 @@
 //! Lengths, forces and factors on the command line. Bare numbers are metres and kilonewtons; what is
 //! wrong with a value is said with the range and the unit.
 
+use crate::case::Input;
 use crate::units::{LengthUnit, Quantity, parse};
-
-/// Range of a plate or a punch, for messages.
-pub(crate) const SIZE_RANGE: &str = "above 0, below the spacing L";
 
 fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
     let how = match quantity {
@@ -15,39 +13,18 @@ fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
     parse(text, quantity, LengthUnit::Metre).map_err(|e| format!("{e}; allowed: {allowed}{how}"))
 }
 
-/// Plate side or punch diameter, m.
-pub(crate) fn size(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Length, SIZE_RANGE)
-}
-
-/// Spacing, m.
-pub(crate) fn spacing(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Length, "above 0, below 100 m")
-}
-
-/// Offset, m.
-pub(crate) fn offset(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Length, "-L/2 to L/2")
-}
-
-/// Design force, N.
-pub(crate) fn force(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Force, "above 0, up to 10000 kN")
-}
-
-/// Allowable deflection, m.
-pub(crate) fn deflection(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Length, "above 0, up to 10 m")
-}
-
-/// Partial factor.
-pub(crate) fn factor(text: &str) -> Result<f64, String> {
-    read(text, Quantity::Number, "0.5 to 5")
+/// An input's value, SI. Whether it is in its range is checked with the whole layout.
+pub(crate) fn of_input(input: Input, text: &str) -> Result<f64, String> {
+    read(text, input.row().quantity, &input.allowed())
 }
 
 /// Largest force of a laboratory test, N.
 pub(crate) fn test_force(text: &str) -> Result<f64, String> {
-    above_zero(force(text)?, "above 0, up to 10000 kN", 1.0e7)
+    let value = of_input(Input::LabForce, text)?;
+    match Input::LabForce.problem(value) {
+        None => Ok(value),
+        Some(problem) => Err(format!("the value is out of range; allowed: {}", problem.allowed)),
+    }
 }
 
 /// A length above 0, up to 100 m.
@@ -80,12 +57,14 @@ mod tests {
 
     #[test]
     fn refusals_name_range_and_unit() {
-        assert_eq!(size("250mm"), Ok(0.25));
-        assert_eq!(force("25"), Ok(25_000.0));
+        assert_eq!(of_input(Input::Plate, "250mm"), Ok(0.25));
+        assert_eq!(of_input(Input::DesignForce, "25"), Ok(25_000.0));
         assert_eq!(
-            size("2,7").unwrap_err(),
+            of_input(Input::Plate, "2,7").unwrap_err(),
             "write the decimal point as a point: 2.7; allowed: above 0, below the spacing L, in metres or with a unit such as 250mm"
         );
-        assert!(factor("1 kN").unwrap_err().contains("0.5 to 5, without a unit"));
+        assert!(
+            of_input(Input::GammaLoad, "1 kN").unwrap_err().contains("0.5 to 5, without a unit")
+        );
     }
 }

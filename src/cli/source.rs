@@ -2,7 +2,7 @@
 
 use super::case::unknown_layout;
 use super::output::Fault;
-use crate::export::{Case, cases};
+use crate::export::{ExportedLayout, exported};
 use crate::project::{Opened, load};
 use clap::Args;
 use std::path::PathBuf;
@@ -20,13 +20,13 @@ impl ProjectFile {
     ///
     /// # Errors
     /// What is wrong in the file or with the name.
-    pub(crate) fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<Case>), Fault> {
+    pub(crate) fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<ExportedLayout>), Fault> {
         let opened = load(&self.path)?;
         let project = &opened.project;
         let found = match only {
-            None => cases(project),
+            None => exported(project),
             Some(name) => match project.find_layout(name) {
-                Some(layout) => Case::of(project, layout).map(|case| vec![case]),
+                Some(layout) => ExportedLayout::new(project, layout).map(|case| vec![case]),
                 None => return Err(Fault::input(unknown_layout(project, name))),
             },
         };

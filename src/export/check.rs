@@ -1,6 +1,6 @@
 //! A discrete element check as charts and reports show it.
 
-use super::Case;
+use super::ExportedLayout;
 use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
@@ -41,7 +41,7 @@ pub struct Check {
 impl Check {
     /// The check that the project keeps of a case's layout, if it keeps one. Lengths in the notes are
     /// shown in `unit`; `file_name` is the project's, for the command that makes it again.
-    pub(crate) fn of(case: &Case, unit: LengthUnit, file_name: &str) -> Option<Check> {
+    pub(crate) fn of(case: &ExportedLayout, unit: LengthUnit, file_name: &str) -> Option<Check> {
         let v = case.entry.check.as_deref()?;
         let stale = !current(case, v);
         let runs = if v.runs == 1 { "1 run".to_string() } else { format!("{} runs", v.runs) };
@@ -71,13 +71,19 @@ impl Check {
 }
 
 /// Whether a result still is what this program would find for a case.
-pub(crate) fn current(case: &Case, result: &CheckResult) -> bool {
-    let wire = case.mesh.wire.as_ref();
-    wire.is_some_and(|wire| result.current(fingerprint(&case.entry.layout(), wire, &result.wanted)))
+pub(crate) fn current(case: &ExportedLayout, result: &CheckResult) -> bool {
+    let wire = case.case.mesh.wire.as_ref();
+    wire.is_some_and(|wire| result.current(fingerprint(&case.entry.layout, wire, &result.wanted)))
 }
 
 /// What is to be known of a result, a sentence each.
-fn notes(case: &Case, v: &CheckResult, unit: LengthUnit, file: &str, stale: bool) -> Vec<String> {
+fn notes(
+    case: &ExportedLayout,
+    v: &CheckResult,
+    unit: LengthUnit,
+    file: &str,
+    stale: bool,
+) -> Vec<String> {
     let m = |value: f64| length_text(value, unit);
     let kn = |value: f64| significant(to_kn(value), 3);
     let mut notes = Vec::new();
@@ -103,7 +109,7 @@ fn notes(case: &Case, v: &CheckResult, unit: LengthUnit, file: &str, stale: bool
         significant(to_kj(v.energy), 3)
     ));
     if !v.breaks.is_empty() && !stale {
-        let places = Places::of(v, &case.entry.layout());
+        let places = Places::of(v, &case.entry.layout);
         notes.push(format!(
             "the first wire broke at: {}; double twists: {} of {}",
             places.text(),

@@ -1,12 +1,12 @@
 //! The command lines that give the numbers of a layout again, to the last bit.
 
-use super::Case;
+use super::ExportedLayout;
 use crate::layout::BranchRule;
 use crate::mesh::catalogue;
 use crate::units::{from_kn, shortest, to_kn};
 
 /// The command that forecasts a layout from its project file.
-pub(crate) fn from_file(file_name: &str, case: &Case) -> String {
+pub(crate) fn from_file(file_name: &str, case: &ExportedLayout) -> String {
     // In one word, so that no name is taken for another flag.
     let layout = format!("--layout={}", case.entry.name);
     format!("meshcast forecast {} {}", file_word(file_name), quoted(&layout))
@@ -19,33 +19,36 @@ pub(crate) fn file_word(file_name: &str) -> String {
 
 /// The command that forecasts a layout from its numbers alone; only where the mesh is the
 /// catalogue's, because the command line can name no other.
-pub(crate) fn from_numbers(case: &Case) -> Option<String> {
-    if catalogue::find(&case.mesh.id).is_none_or(|mesh| *mesh != *case.mesh) {
+pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
+    if catalogue::find(&case.case.mesh.id).is_none_or(|mesh| *mesh != *case.case.mesh) {
         return None;
     }
     let entry = &case.entry;
     let mut words = vec!["meshcast forecast".to_string()];
-    for (flag, value) in [("-d ", entry.plate), ("-L ", entry.spacing), ("-D ", entry.punch)] {
+    for (flag, value) in
+        [("-d ", entry.layout.plate), ("-L ", entry.layout.spacing), ("-D ", entry.layout.punch)]
+    {
         words.push(format!("{flag}{}", bare(value)));
     }
-    for (flag, value) in [("--ex=", entry.ex), ("--ey=", entry.ey)] {
+    for (flag, value) in [("--ex=", entry.layout.ex), ("--ey=", entry.layout.ey)] {
         if value != 0.0 {
             words.push(format!("{flag}{}", bare(value)));
         }
     }
-    words.push(format!("--mesh {}", quoted(&case.mesh.id)));
+    words.push(format!("--mesh {}", quoted(&case.case.mesh.id)));
     if entry.branch != BranchRule::default() {
         words.push(format!("--branch {}", entry.branch.word()));
     }
-    if let Some(force) = entry.design_force {
+    if let Some(force) = entry.question.force {
         words.push(format!("--force {}", force_word(force)));
     }
-    if let Some(deflection) = entry.allowable_deflection {
+    if let Some(deflection) = entry.question.deflection {
         words.push(format!("--deflection {}", bare(deflection)));
     }
-    for (flag, factor) in
-        [("--gamma-resistance", entry.gamma_resistance), ("--gamma-load", entry.gamma_load)]
-    {
+    for (flag, factor) in [
+        ("--gamma-resistance", entry.question.gamma_resistance),
+        ("--gamma-load", entry.question.gamma_load),
+    ] {
         if factor != 1.0 {
             words.push(format!("{flag} {}", bare(factor)));
         }

@@ -2,7 +2,7 @@
 
 use super::form::Form;
 use super::svg::{Series, chart, plan};
-use super::{Case, Check, Report, ReportSource, cases, csv};
+use super::{Check, ExportedLayout, Report, ReportSource, csv, exported};
 use crate::problem::Problem;
 use crate::project::Project;
 use crate::units::LengthUnit;
@@ -114,8 +114,8 @@ impl ExportKind {
         unit: LengthUnit,
     ) -> Result<String, Vec<Problem>> {
         let all = match (self.of_one(), project.layouts.get(layout)) {
-            (true, Some(entry)) => vec![Case::of(project, entry)?],
-            _ => cases(project)?,
+            (true, Some(entry)) => vec![ExportedLayout::new(project, entry)?],
+            _ => exported(project)?,
         };
         let checks: Vec<Option<Check>> =
             all.iter().map(|case| Check::of(case, unit, source.file_name)).collect();

@@ -25,6 +25,13 @@ impl Default for Question {
     }
 }
 
+impl Question {
+    /// Whether anything is asked beyond the forecast itself.
+    pub(crate) fn asks(&self) -> bool {
+        *self != Question::default()
+    }
+}
+
 /// The answer; the parts not asked for are missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {

@@ -4,8 +4,8 @@
 use super::desk::Ticket;
 use super::news::{Progress, What};
 use super::pace::{Pace, QUIET};
+use crate::case::Case;
 use crate::dem::Flow;
-use crate::study::case::Case;
 use crate::study::checks::{self, NoCheck, checks};
 use crate::study::result::Wanted;
 use std::sync::{Arc, Mutex, PoisonError};

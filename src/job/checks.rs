@@ -3,10 +3,9 @@
 use super::desk::Ticket;
 use super::news::{Progress, What};
 use super::pace::{Pace, QUIET};
+use crate::case::Case;
 use crate::curve::Point;
 use crate::dem::Flow;
-use crate::layout::Layout;
-use crate::mesh::MeshType;
 use crate::study::ensemble::{EnsembleProgress, Run, summary};
 use crate::study::result::make::{Made, Told, fingerprint, make, wires};
 use crate::study::result::relief::Relief;
@@ -33,12 +32,8 @@ pub struct Checks {
 pub struct CheckTarget {
     /// Which layout it is.
     pub uid: u64,
-    /// Its geometry.
-    pub layout: Layout,
-    /// Its mesh.
-    pub mesh: Arc<MeshType>,
-    /// Deflection at which it is expected to break, m.
-    pub expected: f64,
+    /// The layout.
+    pub case: Case,
 }
 
 /// What is known of the runs of one layout.
@@ -60,7 +55,7 @@ impl Checks {
             }
             let mut pace = Pace::default();
             let behind = self.wanted.controls().after_break;
-            pace.begin(part, self.targets.len(), target.expected + behind);
+            pace.begin(part, self.targets.len(), target.case.expected_break() + behind);
             let seen = Mutex::new(Seen {
                 pace,
                 curves: Vec::new(),
@@ -103,8 +98,8 @@ impl Checks {
                 }
                 if ticket.cancelled() { Flow::Cancel } else { Flow::Continue }
             };
-            let (layout, uid) = (&target.layout, target.uid);
-            match make(layout, &target.mesh, &self.wanted, threads, &listen) {
+            let (layout, uid) = (&target.case.layout, target.uid);
+            match make(layout, &target.case.mesh, &self.wanted, threads, &listen) {
                 // A live check that was overtaken is of no use to anybody.
                 Ok(_) if self.live && ticket.cancelled() => {}
                 Ok(made) => {
@@ -120,10 +115,10 @@ impl Checks {
         let mut runs = seen.runs.clone();
         runs.sort_by_key(|(k, _)| *k);
         let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
-        let relief = net.map(|net| Relief::of(net, target.layout.spacing));
+        let relief = net.map(|net| Relief::of(net, target.case.layout.spacing));
         let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
-        let wire = wires(&target.mesh).ok()?;
-        let inputs = fingerprint(&target.layout, wire, &self.wanted);
+        let wire = wires(&target.case.mesh).ok()?;
+        let inputs = fingerprint(&target.case.layout, wire, &self.wanted);
         let mut result = CheckResult::of(&ensemble, &self.wanted, inputs);
         // A first run goes on behind its break; the mean of several does not, and the chart would jump.
         if let Some(end) = result.curve.failure {
@@ -185,16 +180,14 @@ impl Seen {
 mod tests {
     use super::super::order::{Order, Task};
     use super::*;
+    use crate::case::example;
     use crate::dem::Fidelity;
-    use crate::layout::REFERENCE;
-    use crate::mesh::catalogue;
+    use crate::layout::{Layout, REFERENCE};
 
     fn order(live: bool, spacings: &[f64]) -> Order {
         let target = |(uid, spacing): (usize, &f64)| CheckTarget {
             uid: uid as u64,
-            layout: Layout { spacing: *spacing, punch: 0.5, ..REFERENCE },
-            mesh: catalogue::reference(),
-            expected: 0.3,
+            case: example(Layout { spacing: *spacing, punch: 0.5, ..REFERENCE }, None),
         };
         let targets = spacings.iter().enumerate().map(target).collect();
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 0 };

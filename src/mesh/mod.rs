@@ -117,7 +117,9 @@ fn standard_punch() -> f64 {
 }
 
 /// Largest laboratory force taken as sensible, N.
-const LARGEST_FORCE: f64 = 1.0e7;
+pub(crate) const LARGEST_FORCE: f64 = 1.0e7;
+/// Largest laboratory deflection taken as sensible, m.
+pub(crate) const LARGEST_DEFLECTION: f64 = 10.0;
 /// Largest laboratory panel taken as sensible, m.
 const LARGEST_PANEL: f64 = 20.0;
 
@@ -163,7 +165,7 @@ impl MeshType {
             "laboratory.deflection",
             lab.deflection,
             m(lab.deflection),
-            10.0,
+            LARGEST_DEFLECTION,
             "above 0, up to 10 m",
         );
         number("laboratory.panel", lab.panel, m(lab.panel), LARGEST_PANEL, "above 0, up to 20 m");

@@ -1,13 +1,11 @@
 //! Checks a project as a whole: every value against its range, every name against the others.
 
 use super::schema::{
-    FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE, LONGEST_NAME, MOST_LAYOUTS,
-    MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout, Project,
+    LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout, Project,
 };
-use super::words;
+use crate::case::Input;
 use crate::mesh::catalogue;
 use crate::problem::Problem;
-use crate::units::{shortest, to_kn};
 use std::collections::HashMap;
 
 /// Longest notes, in bytes.
@@ -121,51 +119,13 @@ impl NamedLayout {
         let mut problems = Vec::new();
         problems.extend(check_name("name", &self.name, true));
         problems.extend(check_notes("note", &self.note));
-        if let Err(found) = self.layout().check() {
+        if let Err(found) = self.layout.check() {
             problems.extend(found);
         }
-        if let Some(force) = self.design_force {
-            problems.extend(check_design_force(force));
-        }
-        if let Some(deflection) = self.allowable_deflection {
-            problems.extend(check_deflection(deflection));
-        }
-        problems.extend(check_factor("gamma_resistance", self.gamma_resistance));
-        problems.extend(check_factor("gamma_load", self.gamma_load));
+        let asked = Input::LAYOUT.into_iter().filter(|i| !Input::GEOMETRY.contains(i));
+        problems.extend(asked.filter_map(|i| self.get(i).and_then(|value| i.problem(value))));
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
-}
-
-fn shown(value: f64, unit: &str) -> String {
-    if value.is_finite() { format!("{}{unit}", shortest(value)) } else { value.to_string() }
-}
-
-fn check_design_force(newton: f64) -> Option<Problem> {
-    let good = newton.is_finite() && newton > 0.0 && newton <= LARGEST_DESIGN_FORCE;
-    (!good).then(|| {
-        Problem::new("design_force", "the design force is outside what makes sense")
-            .value(shown(to_kn(newton), " kN"))
-            .allowed(words::range("design_force"))
-    })
-}
-
-fn check_deflection(metres: f64) -> Option<Problem> {
-    let good = metres.is_finite() && metres > 0.0 && metres <= LARGEST_DEFLECTION;
-    (!good).then(|| {
-        Problem::new("allowable_deflection", "the deflection is outside what makes sense")
-            .value(shown(metres, " m"))
-            .allowed(words::range("allowable_deflection"))
-    })
-}
-
-fn check_factor(field: &str, factor: f64) -> Option<Problem> {
-    let (low, high) = FACTOR_RANGE;
-    let good = factor.is_finite() && (low..=high).contains(&factor);
-    (!good).then(|| {
-        Problem::new(field, "the partial factor is outside what makes sense")
-            .value(shown(factor, ""))
-            .allowed(words::range(field))
-    })
 }
 
 /// What is wrong with a name: empty, too long, or with characters that cannot be shown.

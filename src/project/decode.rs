@@ -1,10 +1,11 @@
 //! Tree to project: checks fields and types, and says of each problem where it stands.
 
 use super::error::Found;
-use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, fresh_uid};
+use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project};
 use super::text::{Group, Node, NodeKind, Shape};
 use super::{inline_mesh, kept, words};
-use crate::layout::BranchRule;
+use crate::case::Input;
+use crate::layout::{BranchRule, REFERENCE};
 use crate::problem::Problem;
 use crate::units::{self, LengthUnit, Quantity};
 use std::collections::HashMap;
@@ -139,32 +140,27 @@ impl<'t> Decoder<'t> {
             (BranchRule::Conservative.word(), BranchRule::Conservative),
         ];
         let name = self.text(&f, "name");
-        let plate = self.number(&f, "d", Quantity::Length);
-        let spacing = self.number(&f, "L", Quantity::Length);
-        let punch = self.number(&f, "D", Quantity::Length);
         let check = self.optional(&f, "check").and_then(|node| {
             kept::read(self.text, node.unwrapped(), &f.path("check"))
                 .map_err(|found| self.found.push(found))
                 .ok()
         });
-        Some(NamedLayout {
-            uid: fresh_uid(),
-            ex: self.number(&f, "ex", Quantity::Length).unwrap_or(0.0),
-            ey: self.number(&f, "ey", Quantity::Length).unwrap_or(0.0),
+        // A missing one is reported above, so the layout is read on only to find more.
+        let mut inputs = NamedLayout::new(name.clone().unwrap_or_default(), REFERENCE, "");
+        let mut complete = name.is_some();
+        for input in Input::LAYOUT {
+            let row = input.row();
+            let value = self.number(&f, row.name, row.quantity);
+            complete &= value.is_some() || input.clearable();
+            inputs.set(input, value);
+        }
+        complete.then_some(NamedLayout {
             mesh: self.text(&f, "mesh").unwrap_or_else(|| default_mesh.to_string()),
             branch: self.word(&f, "branch", &rules).unwrap_or_default(),
-            design_force: self.number(&f, "design_force", Quantity::Force),
-            allowable_deflection: self.number(&f, "allowable_deflection", Quantity::Length),
-            gamma_resistance: self.number(&f, "gamma_resistance", Quantity::Number).unwrap_or(1.0),
-            gamma_load: self.number(&f, "gamma_load", Quantity::Number).unwrap_or(1.0),
             overlay: self.word(&f, "overlay", &[("true", true), ("false", false)]).unwrap_or(false),
             note: self.text(&f, "note").unwrap_or_default(),
             check: check.map(Arc::new),
-            // A missing one is reported above, so the layout is read on only to find more.
-            name: name?,
-            plate: plate?,
-            spacing: spacing?,
-            punch: punch?,
+            ..inputs
         })
     }
 
@@ -316,7 +312,9 @@ impl<'t> Decoder<'t> {
             },
             _ => (format!("{} is expected here", words::quantity(quantity)), String::new()),
         };
-        let problem = Problem::new(&path, problem).value(shown).allowed(words::range(name));
+        let problem = Problem::new(&path, problem)
+            .value(shown)
+            .allowed(Input::named(name).map_or(String::new(), Input::allowed));
         self.say(node.span.start, problem.advice(advice));
         None
     }

@@ -7,8 +7,9 @@
 use super::error::Found;
 use super::patch::Edit;
 use super::text::{Node, NodeKind, Tree};
-use super::write::{self, Scale};
+use super::write;
 use crate::problem::Problem;
+use crate::units::Quantity;
 
 /// Names of version 0 and what they are called now.
 const RENAMED_IN_1: &[(&str, &str)] =
@@ -76,7 +77,7 @@ fn from_0(root: &Node, edits: &mut Vec<Edit>, found: &mut Vec<Found>) {
 fn newtons(value: &Node) -> Option<Edit> {
     match &value.kind {
         NodeKind::Number(newton) if newton.is_finite() => {
-            Some((value.span, write::number(*newton, Scale::Force)))
+            Some((value.span, write::number(*newton, Quantity::Force)))
         }
         NodeKind::Text(bare) if bare.trim().parse::<f64>().is_ok() => {
             Some((value.span, format!("\"{} N\"", bare.trim())))

@@ -1,7 +1,9 @@
 //! A project in memory: what a user's file holds, in SI.
 
+use crate::case::{Case, Input, Question};
 use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{self, MeshType, catalogue};
+use crate::problem::Problem;
 use crate::study::result::CheckResult;
 use crate::units::LengthUnit;
 use std::sync::Arc;
@@ -55,7 +57,8 @@ pub struct Display {
     pub length_unit: LengthUnit,
 }
 
-/// A layout with its name, its mesh and its design questions. Lengths m, forces N.
+/// A layout with its name, its mesh and its design question. What its inputs may be stands in
+/// [`crate::case::input`].
 ///
 /// Two layouts are equal when all but their [`uid`](NamedLayout::uid) is equal.
 #[derive(Debug, Clone)]
@@ -66,28 +69,14 @@ pub struct NamedLayout {
     pub uid: u64,
     /// Name, unique in the project, 1 to 60 characters.
     pub name: String,
-    /// Side of the square anchor plate, d, m; above 0 and below the spacing. Published 0.16 to 0.48.
-    pub plate: f64,
-    /// Anchor spacing, L, m; above 0, below 100. Published 1.25 to 4.5.
-    pub spacing: f64,
-    /// Diameter of the punching element, D, m; above 0 and below the spacing. Published 0.1 to 2.5.
-    pub punch: f64,
-    /// Offset of the punch across the twists, e_x, m; from -L/2 to L/2, default 0.
-    pub ex: f64,
-    /// Offset of the punch along the twists, e_y, m; from -L/2 to L/2, default 0.
-    pub ey: f64,
+    /// Its geometry.
+    pub layout: Layout,
     /// Identifier of the mesh. Left out in a file: the project's first mesh.
     pub mesh: String,
     /// Which branch of Eqs. A.1-A.2 to take, default `published`.
     pub branch: BranchRule,
-    /// Design force, N; above 0, up to 10 000 kN.
-    pub design_force: Option<f64>,
-    /// Allowable deflection, m; above 0, up to 10 m.
-    pub allowable_deflection: Option<f64>,
-    /// Partial factor on the resistance, 0.5 to 5, default 1.
-    pub gamma_resistance: f64,
-    /// Partial factor on the load, 0.5 to 5, default 1.
-    pub gamma_load: f64,
+    /// What is asked of it.
+    pub question: Question,
     /// Whether the layout's curve is drawn over the current one; at most [`MOST_OVERLAYS`] are.
     pub overlay: bool,
     /// Free text; may be empty.
@@ -104,12 +93,6 @@ pub(crate) const MOST_LAYOUTS: usize = 1000;
 pub(crate) const MOST_MESHES: usize = 100;
 /// Longest name of a project, site or layout, in characters.
 pub(crate) const LONGEST_NAME: usize = 60;
-/// Smallest and largest partial factor.
-pub(crate) const FACTOR_RANGE: (f64, f64) = (0.5, 5.0);
-/// Largest design force, N.
-pub(crate) const LARGEST_DESIGN_FORCE: f64 = 1.0e7;
-/// Largest allowable deflection, m.
-pub(crate) const LARGEST_DEFLECTION: f64 = 10.0;
 
 /// A number for a new layout's [`uid`](NamedLayout::uid), never given out before in this process.
 pub(crate) fn fresh_uid() -> u64 {
@@ -122,13 +105,10 @@ pub(crate) fn fresh_uid() -> u64 {
 impl PartialEq for NamedLayout {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
-            && self.layout() == other.layout()
+            && self.layout == other.layout
             && self.mesh == other.mesh
             && self.branch == other.branch
-            && self.design_force == other.design_force
-            && self.allowable_deflection == other.allowable_deflection
-            && self.gamma_resistance == other.gamma_resistance
-            && self.gamma_load == other.gamma_load
+            && self.question == other.question
             && self.overlay == other.overlay
             && self.note == other.note
             && self.check == other.check
@@ -141,32 +121,29 @@ impl NamedLayout {
         NamedLayout {
             uid: fresh_uid(),
             name: name.into(),
-            plate: layout.plate,
-            spacing: layout.spacing,
-            punch: layout.punch,
-            ex: layout.ex,
-            ey: layout.ey,
+            layout,
             mesh: mesh.into(),
             branch: BranchRule::Published,
-            design_force: None,
-            allowable_deflection: None,
-            gamma_resistance: 1.0,
-            gamma_load: 1.0,
+            question: Question::default(),
             overlay: false,
             note: String::new(),
             check: None,
         }
     }
 
-    /// The geometry.
-    pub fn layout(&self) -> Layout {
-        Layout {
-            plate: self.plate,
-            spacing: self.spacing,
-            punch: self.punch,
-            ex: self.ex,
-            ey: self.ey,
-        }
+    /// An input's value, SI; missing where it is not set.
+    pub fn get(&self, input: Input) -> Option<f64> {
+        input.of(&self.layout, &self.question)
+    }
+
+    /// Sets an input, SI, unchecked; `None` takes it away, see [`Input::put`].
+    pub fn set(&mut self, input: Input, value: Option<f64>) {
+        input.put(&mut self.layout, &mut self.question, value);
+    }
+
+    /// The layout as a case, with its mesh.
+    pub(crate) fn case(&self, mesh: Arc<MeshType>) -> Case {
+        Case { layout: self.layout, mesh, rule: self.branch, question: self.question }
     }
 
     /// The same layout under another name, as a layout of its own: a fresh uid, no overlay.
@@ -206,6 +183,17 @@ impl Project {
             _ => None,
         });
         inline.or_else(|| catalogue::find(id))
+    }
+
+    /// A layout as a case.
+    ///
+    /// # Errors
+    /// There is no mesh of its mesh's identifier.
+    pub(crate) fn case(&self, layout: &NamedLayout) -> Result<Case, Problem> {
+        self.mesh(layout).map(|mesh| layout.case(mesh)).ok_or_else(|| {
+            Problem::new("mesh", "the project and the catalogue have no such mesh")
+                .value(format!("{:?}", layout.mesh))
+        })
     }
 
     /// Every mesh that a layout can name: those of the project first, then the rest of the catalogue.
@@ -292,7 +280,7 @@ mod tests {
         let mut two = Project::starter("p");
         assert_ne!(one.layouts[0].uid, two.layouts[0].uid);
         assert_eq!(one, two);
-        two.layouts[0].ey = 0.1;
+        two.layouts[0].layout.ey = 0.1;
         assert_ne!(one, two);
     }
 }

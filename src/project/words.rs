@@ -1,9 +1,8 @@
 //! Wording that the room's messages share: the closest known field, ranges, shortened values.
 
-use super::schema::{FACTOR_RANGE, LARGEST_DEFLECTION, LARGEST_DESIGN_FORCE};
-use crate::layout::LARGEST_LENGTH;
+use crate::case::Input;
 use crate::problem::Problem;
-use crate::units::{Quantity, to_kn};
+use crate::units::Quantity;
 use strsim::levenshtein;
 
 /// Longest piece of a file that is shown in a message, in characters.
@@ -82,11 +81,11 @@ pub(crate) fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
 
 /// An example of a field's value.
 pub(crate) fn example(field: &str) -> &'static str {
+    if let Some(input) = Input::named(field) {
+        return input.row().example;
+    }
     match field {
         "version" => "1",
-        "d" => "0.32",
-        "L" => "3.0",
-        "D" => "1.0",
         "layouts" => "[]",
         "id" => "\"my-mesh\"",
         "force" => "73.3",
@@ -107,19 +106,6 @@ pub(crate) fn example(field: &str) -> &'static str {
         "lambda_u" => "0.03",
         "lambda_f" => "1.0",
         _ => "\"...\"",
-    }
-}
-
-/// What a field takes, with its unit.
-pub(crate) fn range(field: &str) -> String {
-    match field {
-        "d" | "D" => "above 0 m, below the spacing L".to_string(),
-        "L" => format!("above 0, below {LARGEST_LENGTH} m"),
-        "ex" | "ey" => "-L/2 to L/2 in m".to_string(),
-        "design_force" => format!("above 0, up to {} kN", to_kn(LARGEST_DESIGN_FORCE)),
-        "allowable_deflection" => format!("above 0, up to {LARGEST_DEFLECTION} m"),
-        "gamma_resistance" | "gamma_load" => format!("{} to {}", FACTOR_RANGE.0, FACTOR_RANGE.1),
-        _ => String::new(),
     }
 }
 

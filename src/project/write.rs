@@ -4,28 +4,20 @@ use super::inline_mesh;
 use super::kept;
 use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
+use crate::case::Input;
+use crate::case::input::Missing;
 use crate::layout::BranchRule;
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use std::fmt::Write;
 
-/// What a number in a file is measured in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Scale {
-    /// Metres.
-    Length,
-    /// Kilonewtons in the file, newtons in memory.
-    Force,
-    /// No unit.
-    Number,
-}
-
-/// A number as the file holds it: the shortest text that is read back as exactly this value.
-pub(crate) fn number(si: f64, scale: Scale) -> String {
+/// A number as the file holds it, forces in kN: the shortest text that is read back as exactly this
+/// value.
+pub(crate) fn number(si: f64, quantity: Quantity) -> String {
     let back = |text: &str| -> Option<f64> {
         let v: f64 = text.parse().ok()?;
-        Some(if scale == Scale::Force { from_kn(v) } else { v })
+        Some(if quantity == Quantity::Force { from_kn(v) } else { v })
     };
-    let written = if scale == Scale::Force { to_kn(si) } else { si };
+    let written = if quantity == Quantity::Force { to_kn(si) } else { si };
     for text in [shortest(written), format!("{written:?}")] {
         if back(&text) == Some(si) {
             return text;
@@ -141,22 +133,14 @@ fn layout_fields(l: &NamedLayout, default_mesh: &str) -> impl Iterator<Item = St
 
 /// The text of a layout's field; nothing where it may be left out because it has its default.
 pub(crate) fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<String> {
-    let length = |v: f64| number(v, Scale::Length);
-    let unless_default =
-        |v: f64, default: f64, scale: Scale| (v != default).then(|| number(v, scale));
+    if let Some(input) = Input::named(field) {
+        let value = l.get(input).filter(|v| input.row().missing != Missing::Means(*v));
+        return value.map(|v| number(v, input.row().quantity));
+    }
     match field {
         "name" => Some(quoted(&l.name, false)),
-        "d" => Some(length(l.plate)),
-        "L" => Some(length(l.spacing)),
-        "D" => Some(length(l.punch)),
-        "ex" => unless_default(l.ex, 0.0, Scale::Length),
-        "ey" => unless_default(l.ey, 0.0, Scale::Length),
         "mesh" => (l.mesh != default_mesh).then(|| quoted(&l.mesh, false)),
         "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
-        "design_force" => l.design_force.map(|v| number(v, Scale::Force)),
-        "allowable_deflection" => l.allowable_deflection.map(length),
-        "gamma_resistance" => unless_default(l.gamma_resistance, 1.0, Scale::Number),
-        "gamma_load" => unless_default(l.gamma_load, 1.0, Scale::Number),
         "overlay" => l.overlay.then(|| "true".to_string()),
         "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),
         "check" => l.check.as_ref().map(|result| kept::write(result)),

@@ -1,6 +1,6 @@
 //! The value that a study shows, read from forecast and check, in the unit shown and in words.
 
-use crate::study::case::CasePoint;
+use crate::case::CasePoint;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, percent, significant, to_kn};

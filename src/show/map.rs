@@ -3,7 +3,7 @@
 use super::effect;
 use super::glyphs::Glyphs;
 use super::picture::{Ink, Picture};
-use crate::study::case::{CaseValue, NoValue};
+use crate::case::{CaseValue, NoValue};
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;

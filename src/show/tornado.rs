@@ -3,7 +3,7 @@
 
 use super::effect::EffectScale;
 use super::glyphs::Glyphs;
-use crate::study::case::{Input, input_unit, input_value};
+use crate::case::{Input, input_unit, input_value};
 use crate::study::checks::NoCheck;
 use crate::study::sensitivity::dem::{CheckedSensitivity, CheckedStep};
 use crate::study::sensitivity::{Bar, Effect, Sensitivity, Step};

@@ -1,6 +1,6 @@
 //! Comparison: the layouts of a project side by side, sorted by any column, and the one that governs.
 
-use super::case::{Case, NoValue};
+use crate::case::{Case, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::forecast::design::{Answer, answer};
 use crate::forecast::warning::Weight;
@@ -220,8 +220,8 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::example as case;
     use crate::layout::{Layout, REFERENCE};
-    use crate::study::case::example as case;
 
     fn three(forces: [Option<f64>; 3]) -> Comparison {
         let layouts = [

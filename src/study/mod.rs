@@ -2,7 +2,6 @@
 //!
 //! Over forecasts, what engineers ask after the first answer; pure computations:
 //!
-//! - [`case`]: one layout with its mesh and its design question, its seven inputs, what it gives.
 //! - [`sensitivity`]: how the answer moves with each input; [`sweep`]: one input, or two, over a range.
 //! - [`compare`]: the layouts of a project side by side, and which of them governs.
 //! - [`solve`]: the plate, spacing or punch that just meets what is asked.
@@ -16,7 +15,6 @@
 //! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
 //!   comparison.
 
-pub mod case;
 pub mod checks;
 pub mod clock;
 pub(crate) mod compare;

@@ -6,7 +6,7 @@
 //! is scanned, every change from met to not met is narrowed down to two neighbouring floating point
 //! numbers, and all of them are reported, with the side on which the requirement is met.
 
-use super::case::{Case, CasePoint, CaseValue, Input, NoValue};
+use crate::case::{Case, CasePoint, CaseValue, Input, NoValue};
 use crate::forecast::Field;
 use crate::forecast::design::{Question, answer};
 use crate::forecast::field::BRANCH_CROSSING;
@@ -180,7 +180,7 @@ impl Solution {
 /// Solves for one input. Nothing where the input has no published range, or the case's question does
 /// not set the requirement.
 pub fn solve(case: &Case, input: Input, requirement: Requirement) -> Option<Solution> {
-    let range = input.published_range()?;
+    let range = input.row().published?;
     if !Requirement::asked(&case.question).contains(&requirement) {
         return None;
     }
@@ -349,8 +349,8 @@ fn kind(inside: &CasePoint, outside: &CaseValue) -> RequirementKind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::example as case;
     use crate::layout::{Layout, REFERENCE};
-    use crate::study::case::example as case;
 
     fn asked(layout: Layout, force: Option<f64>, deflection: Option<f64>) -> Case {
         let mut case = case(layout, force);

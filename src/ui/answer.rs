@@ -24,8 +24,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 
 /// The lines of the answer with their styles, at most `rows`.
 pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
-    let forecast = match &app.result().forecast {
-        Ok(forecast) => forecast,
+    let forecast = match &app.result().derived {
+        Ok(derived) => &derived.forecast,
         Err(problems) => {
             return problems.iter().take(rows).map(|p| (p.to_string(), theme.error)).collect();
         }
@@ -85,10 +85,10 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
 
 fn design_lines(app: &App, theme: &Theme) -> Lines {
     let mut lines = Vec::new();
-    let Some(design) = &app.result().design else { return lines };
+    let Some(design) = app.result().answer() else { return lines };
     let m = |v: f64| length_text(v, app.units());
     let layout = app.layout();
-    let factors = layout.gamma_load != 1.0 || layout.gamma_resistance != 1.0;
+    let factors = layout.question.gamma_load != 1.0 || layout.question.gamma_resistance != 1.0;
     if let Some(a) = design.at_force {
         let load = significant(to_kn(a.load), 3);
         let percent = format!("{:.0} %", a.utilisation * 100.0);
@@ -102,7 +102,7 @@ fn design_lines(app: &App, theme: &Theme) -> Lines {
         lines.push((text, style));
     }
     if let Some(a) = design.at_deflection {
-        let allowed = layout.allowable_deflection.map_or(String::new(), m);
+        let allowed = layout.question.deflection.map_or(String::new(), m);
         let text = if a.beyond_failure {
             format!("fails before {allowed}")
         } else {
@@ -112,7 +112,10 @@ fn design_lines(app: &App, theme: &Theme) -> Lines {
     }
     if factors && (design.at_force.is_some() || design.at_deflection.is_some()) {
         lines.push((
-            format!("factors gL {}, gR {}", layout.gamma_load, layout.gamma_resistance),
+            format!(
+                "factors gL {}, gR {}",
+                layout.question.gamma_load, layout.question.gamma_resistance
+            ),
             theme.text,
         ));
     }

@@ -5,7 +5,7 @@ use super::curves::CurvePlot;
 use super::text;
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::derived::Derived;
+use crate::app::derived::LayoutResult;
 use crate::axis::Axis;
 use crate::curve::Point;
 use crate::forecast::{Values, rescaled};
@@ -85,7 +85,7 @@ fn end(values: &Values) -> Point {
 }
 
 /// F_a and delta_a of a layout's results.
-fn field_values(result: &Derived) -> Option<Values> {
+fn field_values(result: &LayoutResult) -> Option<Values> {
     result.forecast().and_then(|f| f.field).map(|f| f.values)
 }
 
@@ -122,8 +122,8 @@ fn axes(app: &App, area: Rect, theme: &Theme) -> Option<CurvePlot> {
         Some(v) if v < 1.6 * largest => largest.max(v),
         _ => largest,
     };
-    let force = holding(force, layout.design_force.map(|f| f * layout.gamma_load));
-    let deflection = holding(deflection, layout.allowable_deflection);
+    let force = holding(force, layout.question.force.map(|f| f * layout.question.gamma_load));
+    let deflection = holding(deflection, layout.question.deflection);
     let per_metre = app.units().per_metre();
     let (width, height) = (area.width - LABELS - 1, area.height - 2);
     let x = Axis::holding(deflection * per_metre, u32::from(width / 10).clamp(2, 8));
@@ -150,13 +150,13 @@ fn design_lines(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
     let layout = app.layout();
     let pen = |sign| DotPen { ink: Ink::Design, pattern: Pattern::Dashed(2, 4), ascii: Some(sign) };
     let end = chart.end();
-    if let Some(load) = layout.design_force.map(|f| f * layout.gamma_load)
+    if let Some(load) = layout.question.force.map(|f| f * layout.question.gamma_load)
         && load <= end.force
     {
         let at = |deflection| Point { deflection, force: load };
         chart.line([at(0.0), at(end.deflection)], pen('-'), grid);
     }
-    if let Some(deflection) = layout.allowable_deflection
+    if let Some(deflection) = layout.question.deflection
         && deflection <= end.deflection
     {
         let at = |force| Point { deflection, force };
@@ -168,10 +168,10 @@ fn design_lines(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
 pub(crate) fn caption(app: &App) -> String {
     let layout = app.layout();
     let mut parts = vec![format!("F (kN) over delta ({})", app.units().symbol())];
-    if let Some(f) = layout.design_force {
-        parts.push(format!("design {}", significant(to_kn(f * layout.gamma_load), 3)));
+    if let Some(f) = layout.question.force {
+        parts.push(format!("design {}", significant(to_kn(f * layout.question.gamma_load), 3)));
     }
-    if let Some(d) = layout.allowable_deflection {
+    if let Some(d) = layout.question.deflection {
         parts.push(format!("allowed {}", length_text(d, app.units())));
     }
     parts.join(", ")

@@ -48,7 +48,7 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
         let text = format!(" slipped through: {} of {}", result.slipped, result.runs);
         lines.push((text, theme.caution));
     }
-    let places = Places::of(result, &app.layout().layout()).text();
+    let places = Places::of(result, &app.layout().layout).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));
     }

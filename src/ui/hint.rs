@@ -18,7 +18,7 @@ pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     };
     let star = if app.edited() { " *" } else { "" };
     let mesh =
-        app.result().mesh.as_ref().map_or(app.layout().mesh.clone(), |m| m.title().to_string());
+        app.result().mesh().as_ref().map_or(app.layout().mesh.clone(), |m| m.title().to_string());
     let room = usize::from(row.width);
     let left = format!(" meshcast  {}{star}", cut(&file, room / 3));
     let end = put(buf, row, 0, 0, &left, theme.title);
@@ -87,8 +87,8 @@ fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &The
         EditTarget::Value(field) => {
             let text = format!(
                 " {}: {}; Enter takes, Esc drops",
-                field.phrase(),
-                field.allowed(app.layout(), app.units())
+                field.row().phrase,
+                field.allowed_in(&app.layout().layout, app.units())
             );
             put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), theme.text);
         }

@@ -4,8 +4,8 @@ use super::layouts::first_shown;
 use super::text::{below, heading, put, put_right};
 use super::theme::Theme;
 use crate::app::entry::{EditTarget, LineEntry};
-use crate::app::field::Field;
 use crate::app::{App, Mode};
+use crate::case::Input;
 use crate::units::length_entry;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -22,9 +22,9 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 /// The same without the heading, for small screens.
 pub(crate) fn draw_rows(app: &App, list: Rect, buf: &mut Buffer, theme: &Theme) {
     let rows = usize::from(list.height.saturating_sub(1));
-    let at = Field::ALL.iter().position(|f| *f == app.field()).unwrap_or(0);
-    let first = first_shown(at, rows, Field::ALL.len());
-    for (row, field) in Field::ALL[first..].iter().take(rows).enumerate() {
+    let at = Input::LAYOUT.iter().position(|f| *f == app.field()).unwrap_or(0);
+    let first = first_shown(at, rows, Input::LAYOUT.len());
+    for (row, field) in Input::LAYOUT[first..].iter().take(rows).enumerate() {
         line(app, *field, list, row as u16, buf, theme);
     }
     let range = range_line(app);
@@ -32,13 +32,13 @@ pub(crate) fn draw_rows(app: &App, list: Rect, buf: &mut Buffer, theme: &Theme) 
 }
 
 /// One input: `>L  spacing     3.00 m`.
-fn line(app: &App, field: Field, list: Rect, row: u16, buf: &mut Buffer, theme: &Theme) {
+fn line(app: &App, field: Input, list: Rect, row: u16, buf: &mut Buffer, theme: &Theme) {
     let selected = field == app.field();
     let unit = field.unit(app.units());
-    let value = field.get(app.layout());
+    let value = app.layout().get(field);
     let sign = if selected { ">" } else { " " };
     let style = if selected { theme.title } else { theme.text };
-    put(buf, list, row, 0, &format!("{sign}{:<2} {}", field.symbol(), field.words()), style);
+    put(buf, list, row, 0, &format!("{sign}{:<2} {}", field.word(), field.row().label), style);
 
     let column = 13.min(list.width);
     let typed = match app.mode() {
@@ -50,7 +50,7 @@ fn line(app: &App, field: Field, list: Rect, row: u16, buf: &mut Buffer, theme: 
         return;
     }
     let text = value.map_or("-".to_string(), |v| field.entry_text(v, app.units()));
-    let outside = value.is_some_and(|v| field.published().is_some_and(|range| !range.holds(v)));
+    let outside = value.is_some_and(|v| field.row().published.is_some_and(|range| !range.holds(v)));
     let mark = if outside { "!" } else { " " };
     let shown = format!("{text:>8}");
     let end =
@@ -93,11 +93,13 @@ pub(crate) fn typed_text(entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: 
 }
 
 /// The published range of an input as `0.16-0.48`, or the cell for an offset.
-fn short_range(app: &App, field: Field) -> String {
+fn short_range(app: &App, field: Input) -> String {
     let m = |v: f64| length_entry(v, app.units());
-    match (field.published(), field) {
+    match (field.row().published, field) {
         (Some(range), _) => format!("{}..{}", m(range.min), m(range.max)),
-        (None, Field::Ex | Field::Ey) => format!("+-{}", m(app.layout().spacing / 2.0)),
+        (None, Input::OffsetX | Input::OffsetY) => {
+            format!("+-{}", m(app.layout().layout.spacing / 2.0))
+        }
         _ => String::new(),
     }
 }
@@ -105,13 +107,13 @@ fn short_range(app: &App, field: Field) -> String {
 /// The range of the selected input in words.
 pub(crate) fn range_line(app: &App) -> String {
     let field = app.field();
-    match field.published() {
+    match field.row().published {
         Some(range) => format!(
             " published {} to {} {}",
             length_entry(range.min, app.units()),
             length_entry(range.max, app.units()),
             app.units().symbol()
         ),
-        None => format!(" {}", field.allowed(app.layout(), app.units())),
+        None => format!(" {}", field.allowed_in(&app.layout().layout, app.units())),
     }
 }

@@ -4,7 +4,7 @@ use super::chart::overlay_letter;
 use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::derived::Derived;
+use crate::app::derived::LayoutResult;
 use crate::forecast::warning::Weight;
 use crate::units::{significant, to_kn};
 use ratatui::buffer::Buffer;
@@ -44,7 +44,7 @@ pub(crate) fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
 }
 
 /// The force of a layout and the mark of its warnings.
-fn force(result: &Derived) -> (String, &'static str) {
+fn force(result: &LayoutResult) -> (String, &'static str) {
     let Some(forecast) = result.forecast() else { return ("error".into(), "!") };
     let weight = forecast.warnings.iter().map(|w| w.weight()).max();
     let mark = if weight >= Some(Weight::Caution) { "!" } else { " " };

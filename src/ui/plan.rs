@@ -23,7 +23,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let rows = room.height.min((room.width - 5) / 2);
     let plan = Rect { x: room.x + 1, y: room.y, width: rows * 2, height: rows };
     let mut grid = DotGrid::new(usize::from(plan.width), usize::from(plan.height), theme.glyphs);
-    let layout = app.layout().layout();
+    let layout = app.layout().layout;
     let view = View::of(&layout, &grid);
     contours::draw(app, view.reach, &mut grid);
     punch(&layout, &view, &mut grid);

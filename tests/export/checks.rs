@@ -57,7 +57,7 @@ fn a_kept_check_is_in_every_export_that_can_show_it() {
 #[test]
 fn a_check_of_other_inputs_is_marked_stale_everywhere() {
     let mut project = checked();
-    project.layouts[0].spacing = 1.35;
+    project.layouts[0].layout.spacing = 1.35;
     for kind in [ExportKind::ReportHtml, ExportKind::ReportMarkdown, ExportKind::Chart] {
         assert!(text(kind, &project).contains("stale"), "{kind:?}");
     }

@@ -6,7 +6,7 @@ mod pictures;
 mod reports;
 mod tables;
 
-use meshcast::export::{Case, cases};
+use meshcast::export::{ExportedLayout, exported};
 use meshcast::project::{Project, load, parse};
 use std::path::Path;
 
@@ -36,8 +36,8 @@ fn odd() -> Project {
     parse(ODD, "odd.ron").expect("the odd project opens").project
 }
 
-fn good(project: &Project) -> Vec<Case> {
-    cases(project).expect("the project is sound")
+fn good(project: &Project) -> Vec<ExportedLayout> {
+    exported(project).expect("the project is sound")
 }
 
 /// Projects that every export is tried on.

@@ -3,7 +3,7 @@
 use super::{good, keep, odd, projects, sample};
 use meshcast::curve::{Curve, Point};
 use meshcast::export::svg::{Series, chart, plan};
-use meshcast::export::{Band, Case, Check};
+use meshcast::export::{Band, Check, ExportedLayout};
 use meshcast::forecast::rescaled;
 use meshcast::units::LengthUnit;
 use roxmltree::{Document, Node};
@@ -81,7 +81,7 @@ fn words(svg: &str) -> String {
     texts.filter_map(|n| n.text()).collect::<Vec<_>>().join(" ")
 }
 
-fn chart_of(cases: &[Case], title: &str, unit: LengthUnit) -> String {
+fn chart_of(cases: &[ExportedLayout], title: &str, unit: LengthUnit) -> String {
     chart(&cases.iter().map(Series::from).collect::<Vec<_>>(), title, unit)
 }
 
@@ -158,7 +158,7 @@ fn more_layouts_than_styles_are_told_apart_by_numbers() {
     let first = project.layouts[0].clone();
     for n in 0..45 {
         let mut one = first.duplicate(format!("layout number {n}"));
-        one.spacing = 2.0 + 0.05 * f64::from(n);
+        one.layout.spacing = 2.0 + 0.05 * f64::from(n);
         project.layouts.push(one);
     }
     let svg = chart_of(&good(&project), "many", LengthUnit::Metre);
@@ -168,8 +168,8 @@ fn more_layouts_than_styles_are_told_apart_by_numbers() {
 }
 
 /// A check somewhat off the forecast, with a band.
-fn check(case: &Case) -> Check {
-    let mut values = case.forecast.field.expect("a field value").values;
+fn check(case: &ExportedLayout) -> Check {
+    let mut values = case.forecast().field.expect("a field value").values;
     values.force *= 1.08;
     values.deflection *= 1.03;
     let mean: Curve = rescaled(values, 60);

@@ -1,11 +1,15 @@
 //! Reports: whole, well-formed, safe whatever a name holds, the same every time.
 
 use super::{ODD, good, keep, odd, projects};
-use meshcast::export::{Case, Check, Report, ReportSource};
+use meshcast::export::{Check, ExportedLayout, Report, ReportSource};
 use meshcast::project::Project;
 use roxmltree::{Document, Node, ParsingOptions};
 
-fn report<'a>(project: &'a Project, cases: &'a [Case], checks: &'a [Option<Check>]) -> Report<'a> {
+fn report<'a>(
+    project: &'a Project,
+    cases: &'a [ExportedLayout],
+    checks: &'a [Option<Check>],
+) -> Report<'a> {
     let source = ReportSource { file_name: "it's odd.ron", text: Some(ODD), edited: false };
     Report { project, cases, checks, source, unit: project.display.length_unit }
 }
@@ -38,9 +42,9 @@ fn reports_are_well_formed_whole_and_the_same_every_time() {
         }
         for case in &cases {
             assert!(text.contains(&case.entry.name));
-            assert!(text.contains(&case.fingerprint.to_string()));
-            assert!(markdown.contains(&case.fingerprint.to_string()));
-            for warning in &case.forecast.warnings {
+            assert!(text.contains(&case.case.fingerprint().to_string()));
+            assert!(markdown.contains(&case.case.fingerprint().to_string()));
+            for warning in &case.forecast().warnings {
                 let message = warning.message();
                 assert!(text.contains(&message[1..]), "{message}");
             }
@@ -126,7 +130,7 @@ fn edits_that_are_not_in_the_file_are_told() {
 fn a_check_stands_beside_its_forecast() {
     let project = super::sample("road-cut.ron");
     let cases = good(&project);
-    let mut values = cases[0].forecast.field.unwrap().values;
+    let mut values = cases[0].forecast().field.unwrap().values;
     values.force *= 1.1;
     let check = Check {
         label: "check, 8 runs".into(),

@@ -127,7 +127,7 @@ fn unsaved_work_is_kept_found_recovered_and_thrown_away() {
     assert_eq!(opened.document.find_recovery(&home), None);
     let mut edited = opened.project.clone();
     edited.layouts.swap(0, 1);
-    edited.layouts[0].plate = 0.2;
+    edited.layouts[0].layout.plate = 0.2;
     let kept = opened.document.keep(&edited, &home).unwrap();
     assert_eq!(kept, dir.path().join(".p.ron.recovery"));
     assert_eq!(fs::read_to_string(&path).unwrap(), sample(), "the file itself changed");

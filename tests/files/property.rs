@@ -170,24 +170,26 @@ fn act(project: &mut Project, deed: &Deed) {
         Deed::Number(i, field, v) => {
             if let Some(l) = one(project, i) {
                 match field {
-                    0 => l.plate = v * l.spacing * 0.99,
-                    1 => l.punch = v * l.spacing * 0.99,
-                    2 => l.spacing = (l.plate.max(l.punch) + v * 3.0).min(99.0),
-                    3 => l.ex = v - 0.5,
-                    4 => l.ey = (v * 10.0).round() / 10.0 - 0.5,
-                    5 => l.gamma_load = 0.5 + v,
-                    _ => l.gamma_resistance = 1.0,
+                    0 => l.layout.plate = v * l.layout.spacing * 0.99,
+                    1 => l.layout.punch = v * l.layout.spacing * 0.99,
+                    2 => {
+                        l.layout.spacing = (l.layout.plate.max(l.layout.punch) + v * 3.0).min(99.0)
+                    }
+                    3 => l.layout.ex = v - 0.5,
+                    4 => l.layout.ey = (v * 10.0).round() / 10.0 - 0.5,
+                    5 => l.question.gamma_load = 0.5 + v,
+                    _ => l.question.gamma_resistance = 1.0,
                 }
             }
         }
         Deed::Force(i, v) => {
             if let Some(l) = one(project, i) {
-                l.design_force = v;
+                l.question.force = v;
             }
         }
         Deed::Deflection(i, v) => {
             if let Some(l) = one(project, i) {
-                l.allowable_deflection = v;
+                l.question.deflection = v;
             }
         }
         Deed::Branch(i, v) => {
@@ -260,12 +262,12 @@ proptest! {
 fn values_that_no_short_decimal_can_hold_come_back_exactly() {
     let opened = sample("road-cut.ron");
     let mut edited = opened.project.clone();
-    edited.layouts[0].plate = 0.1 + 0.2;
-    edited.layouts[0].ex = -1.0 / 3.0;
-    edited.layouts[0].design_force = Some(25_000.000_000_000_4);
-    edited.layouts[1].design_force = Some(f64::MIN_POSITIVE);
-    edited.layouts[1].ey = 5e-324;
-    edited.layouts[2].design_force = Some(0.1 + 0.2);
+    edited.layouts[0].layout.plate = 0.1 + 0.2;
+    edited.layouts[0].layout.ex = -1.0 / 3.0;
+    edited.layouts[0].question.force = Some(25_000.000_000_000_4);
+    edited.layouts[1].question.force = Some(f64::MIN_POSITIVE);
+    edited.layouts[1].layout.ey = 5e-324;
+    edited.layouts[2].question.force = Some(0.1 + 0.2);
     let MeshUse::Catalogue(_) = &edited.meshes[0] else { panic!() };
     let rendered = opened.document.render(&edited);
     let again = project::parse(&rendered.text, "again").unwrap_or_else(|e| panic!("{e}"));

@@ -23,11 +23,11 @@ const SMALL: &str = include_str!("valid/mixed_styles.ron");
 
 #[test]
 fn one_changed_value_changes_nothing_else() {
-    let text = after(SMALL, |p| p.layouts[0].plate = 0.25);
+    let text = after(SMALL, |p| p.layouts[0].layout.plate = 0.25);
     assert_eq!(text, SMALL.replace("d: 0.3, /*", "d: 0.25, /*"));
-    let text = after(SMALL, |p| p.layouts[0].punch = 1.2345);
+    let text = after(SMALL, |p| p.layouts[0].layout.punch = 1.2345);
     assert_eq!(text, SMALL.replace("\"1000 mm\"", "\"1234.5 mm\""));
-    let text = after(SMALL, |p| p.layouts[2].design_force = Some(25_500.0));
+    let text = after(SMALL, |p| p.layouts[2].question.force = Some(25_500.0));
     assert_eq!(text, SMALL.replace("Some(20)", "Some(25.5)"));
     let text = after(SMALL, |p| p.name = "a \"b\"".into());
     assert_eq!(text, SMALL.replace("name: \"p\"", r#"name: "a \"b\"""#));
@@ -36,7 +36,7 @@ fn one_changed_value_changes_nothing_else() {
 #[test]
 fn a_value_that_is_needed_comes_behind_its_neighbour() {
     let text = after(SMALL, |p| {
-        p.layouts[0].ex = 0.2;
+        p.layouts[0].layout.ex = 0.2;
         p.layouts[0].overlay = true;
     });
     assert_eq!(
@@ -47,13 +47,13 @@ fn a_value_that_is_needed_comes_behind_its_neighbour() {
         )
     );
     let both = |p: &mut Project| {
-        p.layouts[2].design_force = None;
-        p.layouts[2].allowable_deflection = None;
-        p.layouts[2].gamma_load = 1.2;
+        p.layouts[2].question.force = None;
+        p.layouts[2].question.deflection = None;
+        p.layouts[2].question.gamma_load = 1.2;
     };
     let text = after(SMALL, both);
     assert!(text.contains("None, // from the survey\n            gamma_load: 1.2,\n"), "{text}");
-    let text = after(SMALL, |p| p.layouts[1].gamma_load = 1.3);
+    let text = after(SMALL, |p| p.layouts[1].question.gamma_load = 1.3);
     assert_eq!(text, SMALL.replace("ex: 0.1)", "ex: 0.1, gamma_load: 1.3)"));
     let text = after(SMALL, |p| p.display.length_unit = LengthUnit::Millimetre);
     assert_eq!(text, SMALL.replace("    ],\n)", "    ],\n    display: (length_unit: mm),\n)"));
@@ -62,8 +62,8 @@ fn a_value_that_is_needed_comes_behind_its_neighbour() {
 #[test]
 fn a_value_that_is_not_needed_goes_unless_a_comment_speaks_of_it() {
     let text = after(SMALL, |p| {
-        p.layouts[2].design_force = None;
-        p.layouts[2].allowable_deflection = None;
+        p.layouts[2].question.force = None;
+        p.layouts[2].question.deflection = None;
         p.layouts[2].note.clear();
     });
     let want = SMALL
@@ -135,7 +135,7 @@ fn lists_on_one_line_stay_on_one_line() {
 fn windows_line_ends_stay() {
     let crlf = SMALL.replace('\n', "\r\n");
     let text = after(&crlf, |p| {
-        p.layouts[0].ex = 0.2;
+        p.layouts[0].layout.ex = 0.2;
         let copy = p.layouts[1].duplicate("n");
         p.layouts.push(copy);
         p.meshes.push(MeshUse::Catalogue("dt-8x10-2.7".into()));

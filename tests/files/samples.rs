@@ -44,7 +44,7 @@ fn the_reference_panel_is_the_published_reference_point() {
     let opened = sample("reference-panel.ron");
     assert_eq!(opened.project.layouts.len(), 1);
     let layout = &opened.project.layouts[0];
-    assert_eq!(layout.layout(), meshcast::layout::REFERENCE);
+    assert_eq!(layout.layout, meshcast::layout::REFERENCE);
     assert!(opened.project.mesh(layout).unwrap().reference);
 }
 
@@ -59,22 +59,24 @@ fn the_road_cut_is_table_1_row_by_row() {
         (0.40, 4.0, 1.20, 2.00, 0.20),
         (0.25, 3.5, 0.80, 0.55, 1.15),
     ];
-    let have: Vec<Layout> = opened.project.layouts.iter().map(|l| l.layout()).collect();
+    let have: Vec<Layout> = opened.project.layouts.iter().map(|l| l.layout).collect();
     let want: Vec<Layout> = rows
         .into_iter()
         .map(|(plate, spacing, punch, ex, ey)| Layout { plate, spacing, punch, ex, ey })
         .collect();
     assert_eq!(have, want);
-    assert_eq!(opened.project.layouts[2].design_force, Some(20_000.0));
+    assert_eq!(opened.project.layouts[2].question.force, Some(20_000.0));
 }
 
 #[test]
 fn the_spacing_study_varies_the_spacing_alone() {
     let opened = sample("spacing-study.ron");
     let layouts = &opened.project.layouts;
-    let spacings: Vec<f64> = layouts.iter().map(|l| l.spacing).collect();
+    let spacings: Vec<f64> = layouts.iter().map(|l| l.layout.spacing).collect();
     assert_eq!(spacings, [2.0, 2.5, 3.0, 3.5, 4.0, 4.5]);
-    assert!(layouts.iter().all(|l| (l.plate, l.punch, l.ex, l.ey) == (0.32, 1.0, 0.0, 0.0)));
+    assert!(layouts.iter().all(
+        |l| (l.layout.plate, l.layout.punch, l.layout.ex, l.layout.ey) == (0.32, 1.0, 0.0, 0.0)
+    ));
 }
 
 #[test]
@@ -85,5 +87,5 @@ fn a_mesh_written_out_is_an_example_and_is_used() {
     assert_eq!(mesh.laboratory.force, 120_000.0);
     let used = opened.project.mesh(&opened.project.layouts[0]).unwrap();
     assert_eq!(used.id, "example-mesh");
-    assert_eq!(opened.project.layouts[0].plate, 0.32);
+    assert_eq!(opened.project.layouts[0].layout.plate, 0.32);
 }

@@ -16,7 +16,7 @@ fn open() -> (TempDir, PathBuf, Opened) {
 
 fn edited(project: &Project) -> Project {
     let mut edited = project.clone();
-    edited.layouts[0].plate = 0.3;
+    edited.layouts[0].layout.plate = 0.3;
     edited
 }
 
@@ -51,7 +51,7 @@ fn a_new_project_opens_and_is_saved_unchanged() {
     project::create(&path, &text).unwrap();
     let mut opened = project::load(&path).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(opened.project.name, "North \"face\"");
-    assert_eq!(opened.project.layouts[0].layout(), meshcast::layout::REFERENCE);
+    assert_eq!(opened.project.layouts[0].layout, meshcast::layout::REFERENCE);
     opened.document.save(&opened.project, Overwrite::No).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
     assert!(matches!(project::create(&path, "other"), Err(SaveError::Exists(_))));
@@ -76,7 +76,7 @@ fn an_edit_is_saved_and_read_back_again_and_again() {
     assert!(report.comments_kept && !report.recreated);
     assert_eq!(fs::read_to_string(&path).unwrap(), before.replacen("d: 0.25", "d: 0.3", 1));
     assert!(!opened.document.is_edited(&project));
-    project.layouts[0].plate = 0.25;
+    project.layouts[0].layout.plate = 0.25;
     opened.document.save(&project, Overwrite::No).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), before);
     assert_eq!(names(dir.path()), ["p.ron"], "something is left over");
@@ -156,7 +156,7 @@ fn a_project_that_makes_no_sense_is_not_saved() {
     let before = fs::read(&path).unwrap();
     let mut project = opened.project.clone();
     project.layouts[1].name = project.layouts[0].name.clone();
-    project.layouts[2].spacing = f64::NAN;
+    project.layouts[2].layout.spacing = f64::NAN;
     let refused = opened.document.save(&project, Overwrite::Yes).unwrap_err().to_string();
     assert!(refused.contains("layouts[1].name") && refused.contains("more"), "{refused}");
     assert_eq!(fs::read(&path).unwrap(), before);
@@ -170,9 +170,9 @@ fn an_older_file_is_brought_up_to_date_only_when_it_is_saved() {
     fs::copy(old, &path).unwrap();
     let before = fs::read_to_string(&path).unwrap();
     let mut opened = project::load(&path).unwrap();
-    let forces: Vec<_> = opened.project.layouts.iter().map(|l| l.design_force).collect();
+    let forces: Vec<_> = opened.project.layouts.iter().map(|l| l.question.force).collect();
     assert_eq!(forces, [Some(25_000.0), Some(25_000.0), Some(12_500.5)]);
-    assert!(opened.project.layouts.iter().all(|l| l.layout() == meshcast::layout::REFERENCE));
+    assert!(opened.project.layouts.iter().all(|l| l.layout == meshcast::layout::REFERENCE));
     assert_eq!(opened.document.migrated_from(), Some(0));
     assert!(!opened.document.is_edited(&opened.project));
     assert_eq!(fs::read_to_string(&path).unwrap(), before, "opening wrote to the file");

@@ -122,7 +122,7 @@ pub(crate) fn news(order: &Order) -> Vec<News> {
             for target in &checks.targets {
                 let uid = target.uid;
                 let made = |runs, more| {
-                    let made = check(&target.layout, &target.mesh, &checks.wanted, runs);
+                    let made = check(&target.case.layout, &target.case.mesh, &checks.wanted, runs);
                     match made {
                         Ok(made) => {
                             What::Made { uid, made: Arc::new(made), more, live: checks.live }

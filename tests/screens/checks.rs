@@ -178,7 +178,7 @@ fn screens_with_a_check_that_is_not_plain() {
         let mut project = small();
         let mesh = project.mesh(&project.layouts[0]).unwrap();
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: None, seed: 0 };
-        let made = canned::named(name, &project.layouts[0].layout(), &mesh, &wanted);
+        let made = canned::named(name, &project.layouts[0].layout, &mesh, &wanted);
         project.layouts[0].check = Some(made.into());
         let app = start(project, (80, 24), COLOR);
         assert_eq!(app.shown_check().unwrap().standing, Standing::Current);

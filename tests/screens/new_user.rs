@@ -45,14 +45,14 @@ fn the_spacing_that_meets_the_design_force() {
     let mut app = sample();
     press(&mut app, "<Tab><Tab>g<Left><Left><Down>");
     insta::assert_snapshot!("new_user_design", text(&app));
-    let before = app.layout().spacing;
+    let before = app.layout().layout.spacing;
     press(&mut app, "<Enter>");
     // The least spacing at which F_a / 1.25 reaches 1.3 x 20 kN; more is better here, as published.
-    assert!(app.layout().spacing > before);
-    let use_of = app.result().design.unwrap().at_force.unwrap().utilisation;
+    assert!(app.layout().layout.spacing > before);
+    let use_of = app.result().answer().unwrap().at_force.unwrap().utilisation;
     assert!(use_of <= 1.0 && use_of > 0.999, "{use_of}");
     press(&mut app, "qu");
-    assert_eq!(app.layout().spacing, before);
+    assert_eq!(app.layout().layout.spacing, before);
 }
 
 #[test]

@@ -23,35 +23,35 @@ fn saved(app: &mut App, effects: Vec<Command>) -> Vec<Command> {
 fn arrows_step_finely_and_coarsely() {
     let mut app = app();
     press(&mut app, "<Right>");
-    assert_eq!(app.layout().plate, 0.26);
+    assert_eq!(app.layout().layout.plate, 0.26);
     press(&mut app, "<lt><S-Left>");
-    assert_eq!(app.layout().plate, 0.16);
+    assert_eq!(app.layout().layout.plate, 0.16);
     press(&mut app, "<Down>>");
-    assert_eq!(app.layout().spacing, 3.0);
+    assert_eq!(app.layout().layout.spacing, 3.0);
     // Many steps leave no rounding behind.
     press(&mut app, &"<Right>".repeat(7));
-    assert_eq!(app.layout().spacing, 3.35);
+    assert_eq!(app.layout().layout.spacing, 3.35);
 }
 
 #[test]
 fn values_are_typed_with_and_without_a_unit() {
     let mut app = app();
     press(&mut app, "310mm<Enter>");
-    assert_eq!(app.layout().plate, 0.31);
+    assert_eq!(app.layout().layout.plate, 0.31);
     press(&mut app, "<Enter><C-u>0.2 m<Enter>");
-    assert_eq!(app.layout().plate, 0.2);
+    assert_eq!(app.layout().layout.plate, 0.2);
     press(&mut app, "t250<Enter>");
-    assert_eq!(app.layout().plate, 0.25);
+    assert_eq!(app.layout().layout.plate, 0.25);
     assert_eq!(app.units(), LengthUnit::Millimetre);
     press(&mut app, "<Down><Down><Down>-500<Enter>");
-    assert_eq!(app.layout().ex, -0.5);
+    assert_eq!(app.layout().layout.ex, -0.5);
 }
 
 #[test]
 fn escape_and_control_g_drop_what_was_typed() {
     let mut app = app();
     press(&mut app, "0.3<Esc>0.4<C-g>");
-    assert_eq!(app.layout().plate, 0.25);
+    assert_eq!(app.layout().layout.plate, 0.25);
     assert!(!app.edited());
 }
 
@@ -59,16 +59,16 @@ fn escape_and_control_g_drop_what_was_typed() {
 fn a_refused_value_stays_with_the_reason() {
     let mut app = app();
     press(&mut app, "9<Enter>");
-    assert_eq!(app.layout().plate, 0.25);
+    assert_eq!(app.layout().layout.plate, 0.25);
     let shown = text(&app);
     assert!(shown.contains("! d must be above 0, below L = 2.50 m"), "{shown}");
     assert!(shown.contains(" d  plate    9") || shown.contains(">d  plate    9"), "{shown}");
     // The text can be mended instead of typed again.
     press(&mut app, "<Home>0.<Del>4<Enter>");
-    assert_eq!(app.layout().plate, 0.4);
+    assert_eq!(app.layout().layout.plate, 0.4);
     // Stepping is refused in the same words and changes nothing.
     press(&mut app, "<Down><Down>2.45<Enter><Right>");
-    assert_eq!(app.layout().punch, 2.45);
+    assert_eq!(app.layout().layout.punch, 2.45);
     assert!(text(&app).contains("D must be above 0, below L = 2.50 m"));
 }
 
@@ -98,7 +98,7 @@ fn undo_returns_to_the_place_of_the_edit() {
     let mut app = app();
     press(&mut app, "<Tab><Down><Right><Tab><Up>u");
     assert_eq!(app.selected(), 1);
-    assert_eq!(app.field().symbol(), "L");
+    assert_eq!(app.field().word(), "L");
     assert!(text(&app).contains("undone: L of shelf"));
 }
 
@@ -147,7 +147,7 @@ fn a_unit_from_the_command_line_is_not_saved() {
     });
     assert!(text(&app).contains("250 mm"));
     press(&mut app, "260<Enter>");
-    assert_eq!(app.layout().plate, 0.26);
+    assert_eq!(app.layout().layout.plate, 0.26);
     assert_eq!(app.project().display.length_unit, LengthUnit::Metre);
     // The key sets the project's own unit.
     press(&mut app, "tt");
@@ -183,15 +183,15 @@ fn the_branch_can_be_conservative() {
 fn design_values_are_set_and_cleared() {
     let mut app = app();
     press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
-    assert_eq!(app.layout().design_force, Some(20_000.0));
+    assert_eq!(app.layout().question.force, Some(20_000.0));
     // By hand: 20/22.8 = 88 % of F_a = 22.8 kN (Table 1, test 1).
     assert!(text(&app).contains("use 88 %"), "{}", text(&app));
     press(&mut app, "<Del>");
-    assert_eq!(app.layout().design_force, None);
+    assert_eq!(app.layout().question.force, None);
     press(&mut app, "<Right>");
-    assert_eq!(app.layout().design_force, Some(17_000.0));
+    assert_eq!(app.layout().question.force, Some(17_000.0));
     press(&mut app, "<Enter><C-u><Enter>");
-    assert_eq!(app.layout().design_force, None);
+    assert_eq!(app.layout().question.force, None);
 }
 
 #[test]
@@ -259,7 +259,7 @@ fn a_file_that_changed_on_disk_is_overwritten_only_when_told() {
 #[test]
 fn kept_edits_are_offered_and_can_be_taken_back() {
     let mut kept = road_cut();
-    kept.layouts[0].plate = 0.3;
+    kept.layouts[0].layout.plate = 0.3;
     let open = || {
         App::new(meshcast::app::Start {
             project: Arc::new(road_cut()),
@@ -275,10 +275,10 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
     let mut app = open();
     assert!(text(&app).contains("cut off"));
     press(&mut app, "r");
-    assert_eq!(app.layout().plate, 0.3);
+    assert_eq!(app.layout().layout.plate, 0.3);
     assert!(app.edited());
     press(&mut app, "u");
-    assert_eq!(app.layout().plate, 0.25);
+    assert_eq!(app.layout().layout.plate, 0.25);
     let mut app = open();
     assert!(matches!(press(&mut app, "d")[..], [Command::ForgetRecovery]));
     assert!(!app.edited());

@@ -13,7 +13,7 @@ use meshcast::project::schema::Project;
 /// The small cells, the first with a design force.
 fn asked() -> Project {
     let mut project = small();
-    project.layouts[0].design_force = Some(12_000.0);
+    project.layouts[0].question.force = Some(12_000.0);
     project
 }
 
@@ -267,13 +267,13 @@ fn a_sweep_is_a_line_at_once_and_points_come_one_by_one() {
     // The marked point is taken into the layout, which undo takes back.
     press(&mut app, &"<lt>".repeat(9));
     press(&mut app, ">a");
-    assert_eq!(app.layout().spacing, 1.3, "it was 1.3 before");
+    assert_eq!(app.layout().layout.spacing, 1.3, "it was 1.3 before");
     assert!(said(&app).contains("is like that already"));
     press(&mut app, ">a");
-    assert_eq!(app.layout().spacing, 1.4);
+    assert_eq!(app.layout().layout.spacing, 1.4);
     assert_eq!(dem(&app), [true; 3], "the swept input itself is no other input");
     press(&mut app, "u");
-    assert_eq!(app.layout().spacing, 1.3);
+    assert_eq!(app.layout().layout.spacing, 1.3);
     // Another input of the layout makes all of it stale.
     press(&mut app, "q<Right>w");
     assert!(app.sweep().unwrap().coverage.stale);
@@ -344,20 +344,20 @@ fn the_spacing_that_just_meets_the_design_force_is_taken() {
     assert!(text(&app).contains("No design value is set"), "{}", text(&app));
     // bench 2: 22.8 kN at L = 2.5 m; 23 kN needs a little more spacing.
     press(&mut app, "23<Enter>");
-    assert_eq!(app.layout().design_force, Some(23_000.0));
+    assert_eq!(app.layout().question.force, Some(23_000.0));
     let view = app.design().unwrap();
     let at = view.lines.iter().position(|l| l.input.word() == "L").unwrap();
     for _ in 0..at {
         press(&mut app, "<Down>");
     }
     press(&mut app, "<Enter>");
-    let spacing = app.layout().spacing;
+    let spacing = app.layout().layout.spacing;
     assert!(spacing > 2.5 && spacing < 2.7, "{spacing}");
-    let used = app.result().design.unwrap().at_force.unwrap().utilisation;
+    let used = app.result().answer().unwrap().at_force.unwrap().utilisation;
     assert!(used <= 1.0 && used > 0.999, "{used}");
     assert!(app.page_open().is_some(), "the page stays, to see what it gives");
     press(&mut app, "u");
-    assert_eq!(app.layout().spacing, 2.5);
+    assert_eq!(app.layout().layout.spacing, 2.5);
     // Factors act, a deflection is asked for too, and the arrows choose which of them.
     press(&mut app, "L<C-u>1.2<Enter>R<C-u>1.1<Enter>D0.4<Enter>");
     let view = app.design().unwrap();

@@ -66,8 +66,8 @@ fn from_the_first_start_to_the_report() {
     assert!(project.layouts[0].check.is_some(), "the check is kept");
     let portal = project.find_layout("portal").unwrap();
     let sample = project::parse(include_str!("../../projects/road-cut.ron"), "sample").unwrap();
-    let before = sample.project.find_layout("portal").unwrap().spacing;
-    assert!(portal.spacing > before + 0.5, "{}", portal.spacing);
+    let before = sample.project.find_layout("portal").unwrap().layout.spacing;
+    assert!(portal.layout.spacing > before + 0.5, "{}", portal.layout.spacing);
     let report = fs::read_to_string(found("road-cut-report.html")).unwrap();
     assert!(report.contains("check by simulation") && report.contains("portal"));
 }

@@ -52,7 +52,7 @@ fn start_edit_save_quit() {
         assert!(pty.wait_exit().success(), "{}", pty.dump());
         pty.assert_restored();
         let mut wanted = project::parse(SAMPLE, "sample").unwrap().project;
-        wanted.layouts[0].plate = 0.29;
+        wanted.layouts[0].layout.plate = 0.29;
         assert_eq!(load(&path), wanted);
         // Only the one number changed, comments and all.
         let now = fs::read_to_string(&path).unwrap();
@@ -92,7 +92,7 @@ fn what_a_dropped_line_left_is_offered_again() {
     second.wait_for("saved");
     second.send("q");
     assert!(second.wait_exit().success());
-    assert_eq!(load(&path).layouts[0].plate, 0.27);
+    assert_eq!(load(&path).layouts[0].layout.plate, 0.27);
 
     // Saved and done with: nothing is offered any more.
     let mut third = Launch::meshcast().arg(&path).env("HOME", &home).start();
@@ -110,7 +110,7 @@ fn a_signal_keeps_the_edits() {
     assert!(!pty.wait_exit().success());
     pty.assert_restored();
     let kept = path.with_file_name(".site.ron.recovery");
-    assert_eq!(load(&kept).layouts[0].plate, 0.27);
+    assert_eq!(load(&kept).layouts[0].layout.plate, 0.27);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::text::{PageLine, TextPage};
 use super::{check, method};
 use crate::app::App;
+use crate::case::Derived;
 use crate::forecast::{Field, Forecast};
 use crate::units::{LengthUnit, force_text, length_text, shortest, significant, to_kn};
 
@@ -14,13 +15,13 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
     if !layout.note.is_empty() {
         page.text(&format!("  {}", layout.note), 2);
     }
-    match &app.result().forecast {
+    match &app.result().derived {
         Err(problems) => {
             for p in problems {
                 page.text(&format!("  {p}"), 4);
             }
         }
-        Ok(forecast) => {
+        Ok(Derived { forecast, .. }) => {
             page.heading("Warnings");
             if forecast.warnings.is_empty() {
                 page.text("  none: all inputs are inside the published ranges", 2);
@@ -40,7 +41,7 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
 fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     let unit = app.units();
     let m = |v: f64| length_text(v, unit);
-    if let Some(mesh) = &app.result().mesh {
+    if let Some(mesh) = &app.result().mesh() {
         page.heading("Mesh and laboratory");
         page.row("mesh", &format!("{} ({})", mesh.title(), mesh.id));
         let lab = &mesh.laboratory;
@@ -115,7 +116,7 @@ fn curve(page: &mut TextPage, field: &Field, unit: LengthUnit) {
 
 fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
     let layout = app.layout();
-    let Some(answer) = &app.result().design else { return };
+    let Some(answer) = app.result().answer() else { return };
     if answer.at_force.is_none() && answer.at_deflection.is_none() {
         return;
     }
@@ -124,8 +125,8 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
         "partial factors",
         &format!(
             "load {}, resistance {}",
-            shortest(layout.gamma_load),
-            shortest(layout.gamma_resistance)
+            shortest(layout.question.gamma_load),
+            shortest(layout.question.gamma_resistance)
         ),
     );
     page.row("design resistance F_a / factor", &force_text(answer.resistance));

@@ -5,12 +5,11 @@
 use super::super::App;
 use super::super::keymap::StudyPage;
 use super::super::message::Command;
-
+use crate::case::Case;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::job::campaign::Campaign;
 use crate::job::news::{News, Progress, What};
 use crate::job::order::Task;
-use crate::study::case::Case;
 use crate::study::checks::{CheckAnswer, NoCheck, RUNS, inputs};
 use crate::study::result::Wanted;
 use crate::study::result::make::wires;

@@ -1,13 +1,11 @@
 //! Which plate, spacing or punch just meets the design values of the selected layout.
 
 use super::super::entry::{EditTarget, LineEntry, Typed};
-use super::super::field::Field;
 use super::super::keymap::{Ask, StudyPage};
 use super::super::{App, Mode};
 use super::campaign::Coverage;
-
+use crate::case::{Case, CaseValue, Input};
 use crate::fingerprint::Fingerprint;
-use crate::study::case::{Case, CaseValue, Input};
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Crossing, Place, Requirement, Solution, solve};
@@ -170,19 +168,19 @@ impl App {
         let field = match ask {
             Ask::NextColumn => return self.next_requirement(true),
             Ask::PreviousColumn => return self.next_requirement(false),
-            Ask::DesignForce => Field::DesignForce,
-            Ask::AllowableDeflection => Field::AllowableDeflection,
-            Ask::LoadFactor => Field::GammaLoad,
-            Ask::ResistanceFactor => Field::GammaResistance,
+            Ask::DesignForce => Input::DesignForce,
+            Ask::AllowableDeflection => Input::AllowableDeflection,
+            Ask::LoadFactor => Input::GammaLoad,
+            Ask::ResistanceFactor => Input::GammaResistance,
             _ => return,
         };
-        let text = field.get(self.layout());
+        let text = self.layout().get(field);
         let text = text.map_or(String::new(), |v| field.entry_text(v, self.units()));
         self.type_design(field, text);
     }
 
     /// Begins to type a design value.
-    pub(super) fn type_design(&mut self, field: Field, text: impl Into<String>) {
+    pub(super) fn type_design(&mut self, field: Input, text: impl Into<String>) {
         self.mode = Mode::Entry(LineEntry::new(EditTarget::Study(Typed::Design(field)), text));
     }
 

@@ -14,13 +14,13 @@ pub(crate) mod sweep;
 pub(crate) mod typed;
 
 use super::entry::{EditTarget, LineEntry};
-use super::field::Field;
 use super::key::{Code, Key};
 use super::keymap::{Action, Ask, StudyPage};
 use super::message::Command;
-use super::{App, Mode, derived};
+use super::{App, Mode};
+use crate::case::Case;
+use crate::case::Input;
 use crate::dem::Fidelity;
-use crate::study::case::Case;
 use crate::study::sensitivity::Effect as Shown;
 use crate::units::significant;
 use campaign::Campaigns;
@@ -59,13 +59,7 @@ impl App {
 
     /// A layout as a case of a study; nothing where its mesh is not known.
     pub(crate) fn case(&self, index: usize) -> Option<Case> {
-        let layout = self.project.layouts.get(index)?;
-        Some(Case {
-            layout: layout.layout(),
-            mesh: self.results.get(index)?.mesh.clone()?,
-            rule: layout.branch,
-            question: derived::question(layout),
-        })
+        self.results.get(index)?.case.clone()
     }
 
     /// What a key asks for on a page of a study; nothing where it means what it means elsewhere.
@@ -108,7 +102,7 @@ impl App {
                     self.type_slot(Some(c));
                     return;
                 }
-                StudyPage::Design => return self.type_design(Field::DesignForce, c),
+                StudyPage::Design => return self.type_design(Input::DesignForce, c),
                 StudyPage::Sensitivity | StudyPage::Compare => {}
             }
         }
@@ -187,9 +181,7 @@ impl App {
         let label = format!("{words} of {}", self.layout().name);
         let before = self.project.clone();
         self.edit(label, |project| {
-            let layout = &mut project.layouts[at];
-            (layout.plate, layout.spacing, layout.punch) = (to.plate, to.spacing, to.punch);
-            (layout.ex, layout.ey) = (to.ex, to.ey);
+            project.layouts[at].layout = to;
         });
         let name = self.layout().name.clone();
         if Arc::ptr_eq(&before, &self.project) {

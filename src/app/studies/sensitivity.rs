@@ -4,7 +4,7 @@ use super::super::App;
 use super::super::keymap::{Ask, StudyPage};
 use super::campaign::Coverage;
 use super::neighbour;
-use crate::study::case::Case;
+use crate::case::Case;
 use crate::study::checks::CheckAnswer;
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Effect, Sensitivity, sensitivity};
@@ -72,7 +72,7 @@ impl App {
             Ask::PreviousColumn => false,
             _ => return,
         };
-        let asked = self.layout().design_force.is_some();
+        let asked = self.layout().question.force.is_some();
         let state = &mut self.studies.sensitivity;
         let now = state.view.as_ref().map_or(Effect::Force, |view| view.effect);
         state.effect = Some(neighbour(now, next, asked));
@@ -80,7 +80,7 @@ impl App {
 
     pub(super) fn sensitivity_move(&mut self, lines: isize) {
         // Two lines an input.
-        let most = 2 * crate::study::case::Input::ALL.len() - 2;
+        let most = 2 * crate::case::Input::VARIED.len() - 2;
         let state = &mut self.studies.sensitivity;
         state.scroll = state.scroll.saturating_add_signed(lines).min(most);
     }

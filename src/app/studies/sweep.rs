@@ -2,20 +2,19 @@
 //! after the other where they were asked for.
 
 use super::super::entry::{EditTarget, LineEntry, Slot, Typed};
-use super::super::field::{Field, StepSize};
 use super::super::keymap::{Ask, StudyPage};
 use super::super::message::Command;
 use super::super::{App, Mode};
 use super::campaign::Coverage;
 use super::neighbour;
+use crate::case::{Case, CaseValue, Input, StepSize};
 use crate::fingerprint::Fingerprinter;
 use crate::problem::Problem;
-use crate::study::case::{Case, CaseValue, Input};
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
 use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
-use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
+use crate::units::{LengthUnit, Quantity, parse, shortest, to_kn};
 
 /// Values of the first input where nobody says otherwise.
 const FIRST: usize = 9;
@@ -92,13 +91,13 @@ impl Default for SweepState {
 }
 
 fn place(input: Input) -> usize {
-    Input::ALL.iter().position(|i| *i == input).unwrap_or(0)
+    Input::VARIED.iter().position(|i| *i == input).unwrap_or(0)
 }
 
 /// The range of an input where nobody says otherwise: the published one, the quarter of the cell that
 /// repeats, or 30 % around the mesh's own.
 fn usual_range(input: Input, case: &Case) -> (f64, f64) {
-    match input.published_range() {
+    match input.row().published {
         Some(range) => (range.min, range.max),
         None if input.is_offset() => (0.0, case.layout.spacing / 2.0),
         None => (0.7 * input.value(case), 1.3 * input.value(case)),
@@ -107,15 +106,7 @@ fn usual_range(input: Input, case: &Case) -> (f64, f64) {
 
 /// Small step of a range's end.
 fn step_of(input: Input) -> f64 {
-    let field = match input {
-        Input::Plate => Field::Plate,
-        Input::Spacing => Field::Spacing,
-        Input::Punch => Field::Punch,
-        Input::OffsetX | Input::OffsetY => Field::Ex,
-        Input::LabForce => return from_kn(1.0),
-        Input::LabDeflection => return 0.01,
-    };
-    field.step(StepSize::Fine)
+    input.step(StepSize::Fine)
 }
 
 impl SweepState {
@@ -254,7 +245,7 @@ impl App {
             Ask::NextColumn => self.change_slot(true),
             Ask::PreviousColumn => self.change_slot(false),
             Ask::NextValue => {
-                let asked = self.layout().design_force.is_some();
+                let asked = self.layout().question.force.is_some();
                 let state = &mut self.studies.sweep;
                 let now = state.view.as_ref().map_or(Effect::Force, |view| view.shown);
                 state.shown = Some(neighbour(now, true, asked));
@@ -310,14 +301,14 @@ impl App {
                 let taken = inputs.get(1 - axis).copied();
                 let mut at = place(input);
                 loop {
-                    at = (at + if up { 1 } else { Input::ALL.len() - 1 }) % Input::ALL.len();
-                    if Some(Input::ALL[at]) != taken {
+                    at = (at + if up { 1 } else { Input::VARIED.len() - 1 }) % Input::VARIED.len();
+                    if Some(Input::VARIED[at]) != taken {
                         break;
                     }
                 }
                 match axis {
-                    0 => state.first = Input::ALL[at],
-                    _ => state.second = Some(Input::ALL[at]),
+                    0 => state.first = Input::VARIED[at],
+                    _ => state.second = Some(Input::VARIED[at]),
                 }
                 return;
             }

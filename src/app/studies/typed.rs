@@ -11,7 +11,7 @@ impl App {
     pub(in crate::app) fn take_typed(&mut self, typed: Typed, text: &str) -> Result<(), String> {
         match typed {
             Typed::Design(field) => {
-                let value = field.read(text, self.layout(), self.units())?;
+                let value = field.read(text, &self.layout().layout, self.units())?;
                 self.field = field;
                 self.set_field(value);
                 Ok(())

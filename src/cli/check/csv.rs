@@ -10,7 +10,7 @@ pub(crate) fn report(checked: &[Checked], several: bool) -> String {
     let mut out =
         String::from(if several { "layout,run,delta_m,F_kN\n" } else { "run,delta_m,F_kN\n" });
     for c in checked {
-        let name = match &c.case.name {
+        let name = match &c.name {
             Some(name) if several => format!("{},", quoted(name)),
             _ => String::new(),
         };

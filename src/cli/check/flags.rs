@@ -5,7 +5,6 @@ use crate::cli::output::Fault;
 use crate::cli::quantity;
 use crate::dem::fast::Path as Instructions;
 use crate::dem::{Controls, Fidelity, Test};
-use crate::problem::Problem;
 use crate::study::ensemble::Plan;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -149,34 +148,16 @@ pub(in crate::cli) fn threads(asked: Option<NonZeroUsize>) -> usize {
     asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }
 
-/// Problems of a scene or its controls, at the flag or the layout that they come from.
-pub(super) fn placed(found: Vec<Problem>, layout: Option<&str>) -> Fault {
-    let place = |mut problem: Problem| {
-        let flag = match problem.field.as_str() {
-            "step_factor" => "--step-factor",
-            "speed" => "--speed",
-            "damping" => "--damping",
-            "after_break" => "--after-break",
-            "limit" => "--limit",
-            "phase.x" | "phase.y" => "--phase",
-            "d" | "L" | "D" | "ex" | "ey" if layout.is_none() => match problem.field.as_str() {
-                "ex" => "--ex",
-                "ey" => "--ey",
-                "d" => "-d",
-                "L" => "-L",
-                _ => "-D",
-            },
-            _ => "",
-        };
-        if flag.is_empty() {
-            layout.map_or(problem.clone(), |name| problem.under(&format!("layout {name:?}")))
-        } else {
-            problem.field = flag.to_string();
-            problem
-        }
-    };
-    Fault::from(found.into_iter().map(place).collect::<Vec<_>>())
-}
+/// The flags of what stands in a check's controls, by the names of their fields.
+pub(super) const CONTROL_FLAGS: &[(&str, &str)] = &[
+    ("step_factor", "--step-factor"),
+    ("speed", "--speed"),
+    ("damping", "--damping"),
+    ("after_break", "--after-break"),
+    ("limit", "--limit"),
+    ("phase.x", "--phase"),
+    ("phase.y", "--phase"),
+];
 
 /// A number of runs.
 pub(in crate::cli) fn runs(text: &str) -> Result<usize, String> {

@@ -191,9 +191,9 @@ impl<'a> Report<'a> {
         let forecast = c.forecast.values;
         Report {
             head: Head::of(
-                c.case.name.as_deref(),
+                c.name.as_deref(),
                 c.fingerprint,
-                InputsJson::of(&c.case.entry.layout(), &c.case.mesh, c.case.entry.branch),
+                InputsJson::of(&c.case.layout, &c.case.mesh, c.case.rule),
             ),
             test: c.spec.test,
             fidelity: c.fidelity,

@@ -14,25 +14,27 @@ mod text;
 pub(crate) use flags::CheckArgs;
 pub(super) use flags::{fidelity, runs, threads};
 
-use super::case::{Case, Inputs};
+use super::case::Inputs;
 use super::output::{CommandEnd, Fault, Output, say};
 use super::shapes::WarningJson;
 use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
+use crate::case::{Case, NamedCase, expected_break};
 use crate::dem::{Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
-use crate::forecast::{Field, Values, forecast, laboratory};
+use crate::forecast::{Field, Values, laboratory};
 use crate::mesh::STANDARD_PUNCH;
+use crate::problem::Problem;
 use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
-use crate::study::result::make::expected_break;
 use flags::CheckFormat;
 
 /// One case with its check.
 #[derive(Debug)]
 struct Checked {
+    name: Option<String>,
     case: Case,
     spec: SceneSpec,
     fidelity: Fidelity,
@@ -72,6 +74,7 @@ struct Forecast {
 
 /// A case ready to be run, with what it will be run as.
 struct Ready {
+    name: Option<String>,
     case: Case,
     spec: SceneSpec,
     controls: Controls,
@@ -99,7 +102,7 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     let asked = cases.len();
     for case in cases {
         let name = case.name.clone();
-        match (prepare(args, &wires, case), name) {
+        match (prepare(args, &inputs, &wires, case), name) {
             (Ok(one), _) => ready.push(one),
             // One layout of many that cannot be checked is no reason not to check the others.
             (Err(Fault::Input(found)), Some(name)) if several && asked > 1 => {
@@ -122,29 +125,36 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
 }
 
 /// Finds all that can be wrong before anything is run.
-fn prepare(args: &CheckArgs, wires: &Wires, case: Case) -> Result<Ready, Fault> {
+fn prepare(
+    args: &CheckArgs,
+    inputs: &Inputs,
+    wires: &Wires,
+    NamedCase { name, case }: NamedCase,
+) -> Result<Ready, Fault> {
     let plan = args.plan();
     let spec = SceneSpec {
-        layout: case.entry.layout(),
+        layout: case.layout,
         test: args.test,
         wire: wires.of(&case.mesh)?,
         phase: plan.phase.unwrap_or(PLAIN_PHASE),
         seed: plan.seed,
     };
     let controls = args.controls()?;
-    let placed = |found| flags::placed(found, case.name.as_deref());
+    let placed = |found: Vec<Problem>| {
+        let found = found.into_iter().map(|p| p.renamed(flags::CONTROL_FLAGS)).collect();
+        inputs.placed(found, name.as_deref())
+    };
     let scene = Scene::new(&spec).map_err(placed)?;
     controls.scheme(&scene).map_err(placed)?;
     let forecast = forecast_of(&case, args.test)?;
     let stretch = scene.lattice.stretch;
-    Ok(Ready { case, spec, controls, plan, stretch, forecast })
+    Ok(Ready { name, case, spec, controls, plan, stretch, forecast })
 }
 
 /// The closed form of the same test: the field values, or Eqs. 1-2 for a panel with the standard
 /// punch at its centre.
 fn forecast_of(case: &Case, test: Test) -> Result<Forecast, Fault> {
-    let layout = case.entry.layout();
-    let f = forecast(&layout, &case.mesh, case.entry.branch)?;
+    let (layout, f) = (&case.layout, case.forecast()?);
     Ok(match test {
         Test::Anchored => Forecast { values: f.field.map(|field| field.values), field: f.field },
         Test::Laboratory => {
@@ -166,19 +176,19 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             say("note", &format!("{} of {parts} layouts were not begun", parts - part));
             break;
         }
-        let Ready { case, spec, controls, plan, stretch, forecast } = one;
-        let label = match &case.name {
+        let Ready { name, case, spec, controls, plan, stretch, forecast } = one;
+        let label = match &name {
             Some(name) if parts > 1 => format!("layout {name:?} ({} of {parts})", part + 1),
             _ => "check".to_string(),
         };
         // Until the first run has ended, its end is expected where the forecast has it.
         let guess = expected_break(&spec.layout, forecast.values);
         watch.begin(&label, part, parts, guess + controls.after_break);
-        let ensemble = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))
-            .map_err(|found| flags::placed(found, case.name.as_deref()))?;
+        let ensemble = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))?;
         let fingerprint = of_ensemble(&spec, &controls, &plan);
         let fidelity = controls.fidelity;
         let mut one = Checked {
+            name,
             case,
             spec,
             fidelity,

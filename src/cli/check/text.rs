@@ -61,7 +61,7 @@ fn one(c: &Checked, unit: LengthUnit) -> Vec<String> {
 
 fn inputs(page: &mut Page, c: &Checked) {
     let made_by = format!("meshcast {VERSION}, inputs {}", c.fingerprint);
-    match &c.case.name {
+    match &c.name {
         Some(name) => page.line("layout", format!("{name}   [{made_by}]")),
         None => page.line("check", format!("[{made_by}]")),
     }

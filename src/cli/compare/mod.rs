@@ -65,7 +65,7 @@ impl Compared {
 /// Compares and writes the result in the form asked for.
 pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.inputs.of_file(&args.project, None, ui)?;
-    let cases = loaded.cases.iter().map(|c| (c.entry.name.clone(), c.study()));
+    let cases = loaded.cases.into_iter().map(|c| (c.name.unwrap_or_default(), c.case));
     let comparison = compare(cases);
     let order = match args.sort {
         Some(column) => comparison.sorted(column, args.descending),

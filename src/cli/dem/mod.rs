@@ -9,9 +9,9 @@ pub(crate) mod text;
 
 use super::check::{fidelity, runs, threads};
 use super::watch::Watch;
+use crate::case::Case;
 use crate::dem::Fidelity;
 use crate::dem::Flow;
-use crate::study::case::Case;
 use crate::study::checks::{CaseEvent, CheckAnswer, NoCheck, RUNS, checks};
 use crate::study::result::Wanted;
 use clap::Args;

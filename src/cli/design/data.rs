@@ -1,11 +1,11 @@
 //! Design solutions as JSON and CSV: SI with kN.
 
 use super::Solved;
+use crate::case::{CasePoint, CaseValue};
 use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Head, InputsJson, Pair, WarningJson, pair};
 use crate::forecast::design::Question;
-use crate::study::case::{CasePoint, CaseValue};
 use crate::study::solve::{Crossing, Place, Solution};
 use crate::units::to_kn;
 use serde::Serialize;

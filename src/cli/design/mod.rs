@@ -9,7 +9,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::output::{CommandEnd, Fault, TableFormat, result};
-use crate::study::case::{self, Case, Input};
+use crate::case::{self, Case, Input};
 use crate::study::solve::{Requirement, Solution, solve};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
         .cases
         .into_iter()
         .map(|c| {
-            let case = c.study();
+            let case = c.case;
             let asked = Requirement::asked(&case.question);
             let pairs = inputs.iter().flat_map(|i| asked.iter().map(move |r| (*i, *r)));
             let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r)).collect();

@@ -1,9 +1,9 @@
 //! Design solutions as sentences.
 
 use super::Solved;
+use crate::case::{CasePoint, CaseValue};
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::warning::{Warning, Weight};
-use crate::study::case::{CasePoint, CaseValue};
 use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
 use crate::units::{LengthUnit, force_text};
 

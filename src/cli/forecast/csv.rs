@@ -10,7 +10,7 @@ use crate::forecast::warning::Weight;
 /// The table, with a note for every layout that has no curve.
 pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
     let with_curve = answered.iter().filter_map(|a| {
-        let name = a.case.name.as_deref().unwrap_or_default();
+        let name = a.name.as_deref().unwrap_or_default();
         Some((name, a.forecast.field?.curve(CURVE_POINTS)))
     });
     let result = curves(with_curve, several);
@@ -19,7 +19,7 @@ pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
 }
 
 fn no_curve(a: &Answered) -> String {
-    let name = a.case.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
+    let name = a.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
     let why = a.forecast.warnings.iter().find(|w| w.weight() == Weight::Outside);
     format!("{name}no curve; {}", why.map_or_else(|| "no field value".into(), |w| w.message()))
 }

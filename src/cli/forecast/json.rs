@@ -114,8 +114,8 @@ impl<'a> Report<'a> {
         let measured = Values { force: record.force, deflection: record.deflection };
         Report {
             head: Head::of(
-                a.case.name.as_deref(),
-                a.fingerprint,
+                a.name.as_deref(),
+                a.case.fingerprint(),
                 InputsJson::of(&f.layout, &a.case.mesh, f.rule),
             ),
             lab: Lab {
@@ -157,7 +157,7 @@ impl<'a> Report<'a> {
                 F_field_over_lab: f.force_over_lab(),
                 delta_field_over_lab: f.deflection_over_lab(),
             },
-            design: a.design.map(|answer| Design::of(&answer, &a.question)),
+            design: a.design.map(|answer| Design::of(&answer, &a.case.question)),
             curve: f.field.map(|field| {
                 let curve = field.curve(CURVE_POINTS);
                 CurveJson {

@@ -7,13 +7,12 @@ mod json;
 mod text;
 
 use super::UiFlags;
-use super::case::{Case, Source};
+use super::case::Source;
 use super::output::{CommandEnd, Fault, TableFormat, result};
 use super::page::BASIS;
-use crate::fingerprint::Fingerprint;
-use crate::forecast::design::{Answer, Question, answer};
-use crate::forecast::fingerprint::of_inputs;
-use crate::forecast::{Forecast, forecast};
+use crate::case::{Case, Derived, NamedCase};
+use crate::forecast::Forecast;
+use crate::forecast::design::Answer;
 use clap::Args;
 
 /// Forecast a layout from flags, or the layouts of a project, without a screen.
@@ -26,20 +25,14 @@ pub(crate) struct ForecastArgs {
     format: TableFormat,
 }
 
-/// One case with its answer.
+/// One case with what follows from it.
 #[derive(Debug)]
 struct Answered {
+    name: Option<String>,
     case: Case,
     forecast: Forecast,
-    fingerprint: Fingerprint,
-    question: Question,
-    /// The answer to the design questions, where there is a field value and a question.
+    /// The answer to the design question, where there is a field value and a question.
     design: Option<Answer>,
-}
-
-/// Whether anything is asked beyond the forecast itself.
-fn asks(question: &Question) -> bool {
-    *question != Question::default()
 }
 
 /// Forecasts and writes the result in the form asked for.
@@ -53,13 +46,8 @@ pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     }
 }
 
-fn answered(case: Case) -> Result<Answered, Fault> {
-    let question = case.question();
-    let layout = case.entry.layout();
-    let rule = case.entry.branch;
-    let forecast = forecast(&layout, &case.mesh, rule)
-        .map_err(|found| Fault::Input(found.iter().map(|p| p.to_string()).collect()))?;
-    let fingerprint = of_inputs(&layout, &case.mesh, rule);
-    let design = forecast.field.filter(|_| asks(&question)).map(|field| answer(&field, &question));
-    Ok(Answered { case, forecast, fingerprint, question, design })
+fn answered(NamedCase { name, case }: NamedCase) -> Result<Answered, Fault> {
+    let Derived { forecast, answer } = case.derive()?;
+    let design = answer.filter(|_| case.question.asks());
+    Ok(Answered { name, case, forecast, design })
 }

@@ -22,7 +22,7 @@ pub(crate) fn report(answered: &[Answered], unit: LengthUnit) -> String {
 
 fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
     let mut page = Page::new(unit);
-    page.inputs("forecast", a.case.name.as_deref(), a.fingerprint, &a.case.study());
+    page.inputs("forecast", a.name.as_deref(), a.case.fingerprint(), &a.case);
     laboratory(&mut page, a);
     match &a.forecast.field {
         Some(field) => {
@@ -37,7 +37,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 ),
             );
             if let Some(answer) = &a.design {
-                page.design(answer, &a.question);
+                page.design(answer, &a.case.question);
             }
         }
         None => page.line("field", "no value: outside the method"),

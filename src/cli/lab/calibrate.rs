@@ -96,7 +96,9 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
         watch.part(&format!("trial {}", trial + 1), trial.min(parts - 2), parts, target.deflection);
         watch.tell(now)
     })
-    .map_err(|found| Fault::Input(found.iter().map(|p| at_flag(p.clone())).collect()))?;
+    .map_err(|found| {
+        Fault::from(found.into_iter().map(|p| p.renamed(FLAGS)).collect::<Vec<_>>())
+    })?;
     let Some(mut fit) = fitted else { return interrupted(&watch) };
     fit.wire = rounded(&fit.wire);
     fit.wire.source = source(args, &fit, &start);
@@ -142,15 +144,8 @@ fn start(from: &str) -> std::result::Result<WireData, Fault> {
     }
 }
 
-/// A problem of the scene at the flag it comes from.
-fn at_flag(mut problem: crate::problem::Problem) -> String {
-    problem.field = match problem.field.as_str() {
-        "L" => "--panel".into(),
-        "D" => "--punch".into(),
-        other => other.into(),
-    };
-    problem.to_string()
-}
+/// The flags of the test's panel and punch, by the names of their fields.
+const FLAGS: &[(&str, &str)] = &[("L", "--panel"), ("D", "--punch")];
 
 /// The curves at seven digits, which is far more than is known of them, so that what is printed and
 /// written is what is run.

@@ -1,13 +1,13 @@
 //! A sensitivity as JSON and CSV: SI with kN, the inputs in the order of the definitions.
 
 use super::Studied;
+use crate::case::Case;
+use crate::case::{CaseValue, Input};
 use crate::cli::dem::csv as dem_csv;
 use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, json_list, number, optional, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{ChangeValues, Head, InputsJson, WarningJson};
-use crate::study::case::Case;
-use crate::study::case::{CaseValue, Input};
 use crate::study::result::Wanted;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedStep};
 use crate::study::sensitivity::{Bar, Change, Effect, Step};

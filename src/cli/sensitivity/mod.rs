@@ -11,7 +11,7 @@ use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
 use super::output::{CommandEnd, Output, TableFormat};
-use crate::study::case::{Case, Input};
+use crate::case::{Case, Input};
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Sensitivity, sensitivity};
 use clap::Args;
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
         .cases
         .into_iter()
         .map(|c| {
-            let case = c.study();
+            let case = c.case;
             Studied { sensitivity: sensitivity(&case), name: c.name, case, checked: None }
         })
         .collect();
@@ -73,7 +73,7 @@ fn jobs(s: &Studied) -> Vec<Job> {
     let front = s.name.as_ref().map_or(String::new(), |name| format!("{name:?}, "));
     let named = |(place, case): (usize, Case)| {
         // The case itself, then two for each input that a check knows.
-        let moved = place.checked_sub(1).and_then(|p| Input::ALL.get(p / 2));
+        let moved = place.checked_sub(1).and_then(|p| Input::VARIED.get(p / 2));
         let name = match moved {
             Some(input) => format!("{front}{} {}", input.word(), input.text(input.value(&case))),
             None => format!("{front}as it is"),

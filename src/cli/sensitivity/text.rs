@@ -2,13 +2,13 @@
 //! for the utilisation.
 
 use super::{Studied, both};
+use crate::case::{CasePoint, Input};
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::warning::Weight;
 use crate::show::effect::{self, EffectScale};
 use crate::show::glyphs::Glyphs;
 use crate::show::tornado;
-use crate::study::case::{CasePoint, Input};
 use crate::study::result::Wanted;
 use crate::study::sensitivity::{Effect, Sensitivity, step};
 use crate::units::{LengthUnit, force_text};

@@ -1,10 +1,10 @@
 //! A sweep of one input with its checks: both side by side, and the forces plotted with their bands.
 
 use super::Swept;
+use crate::case::CaseValue;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
 use crate::show::effect::deflection;
 use crate::show::strip::{StripMark, strip};
-use crate::study::case::CaseValue;
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sweep::{dem, extent};

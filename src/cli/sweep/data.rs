@@ -1,13 +1,13 @@
 //! A sweep as JSON and CSV: SI with kN, points along the first input, row after row.
 
 use super::Swept;
+use crate::case::{CaseValue, Input};
 use crate::cli::dem::csv as dem_csv;
 use crate::cli::dem::json::{CheckedJson, PlanJson};
 use crate::cli::output::{Fault, cell, json_list, number, quoted};
 use crate::cli::page::BASIS;
 use crate::cli::shapes::{Head, InputsJson};
 use crate::forecast::Values;
-use crate::study::case::{CaseValue, Input};
 use crate::study::checks::CheckAnswer;
 use crate::study::result::Wanted;
 use crate::study::sweep::{Grid, SweepAxis};

@@ -12,8 +12,8 @@ use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
 use super::output::{CommandEnd, Fault, Output, TableFormat};
+use crate::case::{Case, Input};
 use crate::problem::Problem;
-use crate::study::case::{Case, Input};
 use crate::study::checks::CheckAnswer;
 use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
 use crate::units::{LengthUnit, Quantity, parse};
@@ -70,9 +70,9 @@ struct Ranges {
 const STEPS_2: usize = 11;
 
 fn input() -> impl TypedValueParser<Value = Input> {
-    PossibleValuesParser::new(Input::ALL.map(Input::word)).map(|word| {
+    PossibleValuesParser::new(Input::VARIED.map(Input::word)).map(|word| {
         // One of these words, as the parser in front sees to.
-        Input::ALL.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
+        Input::VARIED.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
     })
 }
 
@@ -119,26 +119,21 @@ impl Ranges {
             _ => None,
         };
         Grid::new(first, second).map_err(|found| {
-            Fault::Input(found.into_iter().map(|p| placed(p).to_string()).collect())
+            Fault::from(found.into_iter().map(|p| p.renamed(FLAGS)).collect::<Vec<_>>())
         })
     }
 }
 
-/// A problem of an axis at its flag.
-fn placed(mut problem: Problem) -> Problem {
-    problem.field = match problem.field.as_str() {
-        "first.from" => "--from",
-        "first.to" => "--to",
-        "first.steps" => "--steps",
-        "second.from" => "--from2",
-        "second.to" => "--to2",
-        "second.steps" => "--steps2",
-        "second" => "--vary2",
-        other => other,
-    }
-    .to_string();
-    problem
-}
+/// The flags of the axes, by the names of their fields.
+const FLAGS: &[(&str, &str)] = &[
+    ("first.from", "--from"),
+    ("first.to", "--to"),
+    ("first.steps", "--steps"),
+    ("second.from", "--from2"),
+    ("second.to", "--to2"),
+    ("second.steps", "--steps2"),
+    ("second", "--vary2"),
+];
 
 /// Sweeps each layout and writes the result in the form asked for.
 pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
@@ -157,7 +152,7 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
         .cases
         .into_iter()
         .map(|c| {
-            let case = c.study();
+            let case = c.case;
             Swept { sweep: sweep(&case, grid.clone()), name: c.name, case, checked: None }
         })
         .collect();

@@ -1,11 +1,11 @@
 //! A sweep as a text: a line of one input with its plot turned on its side, or a map of two.
 
 use super::{Swept, both, map, point};
+use crate::case::CaseValue;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
 use crate::show::effect::deflection;
 use crate::show::strip::{StripMark, strip};
-use crate::study::case::CaseValue;
 use crate::study::result::Wanted;
 use crate::study::sweep::{SweepAxis, extent};
 use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};

@@ -3,7 +3,7 @@
 use super::Report;
 use super::document::{Block, Picture, ReportDocument, TextSpan, Words, code, ours, strong};
 use crate::VERSION;
-use crate::export::Case;
+use crate::export::ExportedLayout;
 use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
@@ -86,8 +86,8 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
     document.blocks.push(Block::Pictures(pictures));
 }
 
-fn result_row(case: &Case, unit: LengthUnit) -> Vec<Words> {
-    let forecast = &case.forecast;
+fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
+    let forecast = &case.forecast();
     let nothing = || Words::from("-");
     let part = |value: Option<f64>| value.map_or_else(nothing, |v| format!("{v:.3}").into());
     let (force, deflection) = match &forecast.field {
@@ -97,7 +97,7 @@ fn result_row(case: &Case, unit: LengthUnit) -> Vec<Words> {
         ),
         None => ("no value".into(), nothing()),
     };
-    let used = case.design.and_then(|d| d.at_force).map_or_else(nothing, |at| {
+    let used = case.design().and_then(|d| d.at_force).map_or_else(nothing, |at| {
         let percent = format!("{:.0} %", at.utilisation * 100.0);
         if at.utilisation > 1.0 { strong(format!("{percent}, not enough")) } else { percent.into() }
     });
@@ -132,16 +132,16 @@ pub(crate) fn inputs(report: &Report<'_>, document: &mut ReportDocument) {
     let rows = report.cases.iter().map(|case| {
         let e = &case.entry;
         let mut row = vec![Words::from(e.name.clone())];
-        for metres in [e.plate, e.spacing, e.punch, e.ex, e.ey] {
+        for metres in [e.layout.plate, e.layout.spacing, e.layout.punch, e.layout.ex, e.layout.ey] {
             row.push(length_entry(metres, unit).into());
         }
         let length = |v: f64| format!("{} {sign}", length_entry(v, unit));
         row.push(code(e.mesh.clone()));
         row.push(e.branch.word().into());
-        row.push(e.design_force.map_or("-".into(), entered_force).into());
-        row.push(shortest(e.gamma_load).into());
-        row.push(e.allowable_deflection.map_or("-".into(), length).into());
-        row.push(shortest(e.gamma_resistance).into());
+        row.push(e.question.force.map_or("-".into(), entered_force).into());
+        row.push(shortest(e.question.gamma_load).into());
+        row.push(e.question.deflection.map_or("-".into(), length).into());
+        row.push(shortest(e.question.gamma_resistance).into());
         row
     });
     let rows = rows.collect();
@@ -157,18 +157,18 @@ pub(crate) fn entered_force(newton: f64) -> String {
 pub(crate) fn meshes(report: &Report<'_>, document: &mut ReportDocument) {
     let mut seen: Vec<&str> = Vec::new();
     for case in report.cases {
-        if seen.contains(&case.mesh.id.as_str()) {
+        if seen.contains(&case.case.mesh.id.as_str()) {
             continue;
         }
         if seen.is_empty() {
             document.chapter("Meshes");
         }
-        seen.push(&case.mesh.id);
-        mesh(&case.mesh, case, report.unit, document);
+        seen.push(&case.case.mesh.id);
+        mesh(&case.case.mesh, case, report.unit, document);
     }
 }
 
-fn mesh(mesh: &MeshType, case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
+fn mesh(mesh: &MeshType, case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
     let lab = &mesh.laboratory;
     let length = |v: f64| format!("{} {}", length_entry(v, unit), unit.symbol());
     let mut rows = vec![
@@ -192,7 +192,7 @@ fn mesh(mesh: &MeshType, case: &Case, unit: LengthUnit, document: &mut ReportDoc
         rows.push(("Standard".into(), lab.standard.clone().into()));
     }
     rows.push(("Source".into(), lab.source.clone().into()));
-    let ratios = &case.forecast.ratios;
+    let ratios = &case.forecast().ratios;
     let source = match &mesh.ratios {
         Some(own) => own.source.clone(),
         None if mesh.reference => "Pol & Gabrieli (2021), section 4".into(),

@@ -4,7 +4,7 @@ use super::Report;
 use super::document::{Block, Picture, ReportDocument, Words, code, ours, sentence, strong};
 use super::front::entered_force;
 use crate::export::svg::{Series, chart, plan};
-use crate::export::{Case, Check, command};
+use crate::export::{Check, ExportedLayout, command};
 use crate::forecast::{Field, Values, field};
 use crate::mesh::STANDARD_PANEL;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
@@ -14,7 +14,7 @@ use crate::units::{to_kj, to_kn};
 pub(crate) fn layout(
     report: &Report<'_>,
     index: usize,
-    case: &Case,
+    case: &ExportedLayout,
     document: &mut ReportDocument,
 ) {
     let unit = report.unit;
@@ -35,7 +35,7 @@ pub(crate) fn layout(
         Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
     ]));
     steps(case, unit, document);
-    if let Some(field) = &case.forecast.field {
+    if let Some(field) = &case.forecast().field {
         points(field, unit, document);
     }
     design(case, unit, document);
@@ -49,15 +49,15 @@ pub(crate) fn layout(
     lines.extend(command::from_numbers(case));
     if !lines.is_empty() {
         let mut words = Words::from("The same numbers; fingerprint of the inputs ");
-        words.0.extend(code(case.fingerprint.to_string()).0);
+        words.0.extend(code(case.case.fingerprint().to_string()).0);
         words.0.extend(Words::from(":").0);
         document.quote(words);
         document.blocks.push(Block::Commands(lines));
     }
 }
 
-fn warnings(case: &Case, document: &mut ReportDocument) {
-    let mut all: Vec<_> = case.forecast.warnings.iter().collect();
+fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
+    let mut all: Vec<_> = case.forecast().warnings.iter().collect();
     all.sort_by_key(|w| std::cmp::Reverse(w.weight()));
     if all.is_empty() {
         document.say("No warnings: all sizes are inside the published ranges.");
@@ -72,8 +72,8 @@ fn warnings(case: &Case, document: &mut ReportDocument) {
 }
 
 /// The value at each step of the method.
-fn steps(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
-    let forecast = &case.forecast;
+fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+    let forecast = &case.forecast();
     let mut rows = Vec::new();
     let four = |v: f64| significant(v, 4);
     let length = |v: f64| match unit {
@@ -84,7 +84,7 @@ fn steps(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
         rows.push(vec![words, force.into(), deflection.into()]);
     };
     let pair = |v: Values| (format!("{} kN", four(to_kn(v.force))), length(v.deflection));
-    let lab = &case.mesh.laboratory;
+    let lab = &case.case.mesh.laboratory;
     if lab.panel != STANDARD_PANEL {
         let (f, d) = pair(Values { force: lab.force, deflection: lab.deflection });
         let panel =
@@ -166,9 +166,9 @@ fn points(field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
 }
 
 /// The answers to the design questions, with the factors that act.
-fn design(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
-    let question = &case.question;
-    let Some(answer) = &case.design else {
+fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+    let question = &case.case.question;
+    let Some(answer) = &case.design() else {
         if question.force.is_some() || question.deflection.is_some() {
             document.say("Design: no answer, because there is no field value.");
         }
@@ -218,11 +218,11 @@ fn design(case: &Case, unit: LengthUnit, document: &mut ReportDocument) {
 }
 
 /// The check beside the forecast.
-fn checked(case: &Case, check: &Check, unit: LengthUnit, document: &mut ReportDocument) {
+fn checked(case: &ExportedLayout, check: &Check, unit: LengthUnit, document: &mut ReportDocument) {
     document.quote(strong(sentence(&check.title())));
     let mut items = Vec::new();
     if let Some(end) = check.mean.failure {
-        let difference = case.forecast.field.map_or(String::new(), |field| {
+        let difference = case.forecast().field.map_or(String::new(), |field| {
             let percent =
                 |ours: f64, theirs: f64| format!("{:+.0} %", (ours / theirs - 1.0) * 100.0);
             format!(

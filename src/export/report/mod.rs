@@ -11,7 +11,7 @@ mod layout;
 pub(crate) mod markdown;
 mod method;
 
-use super::{Case, Check};
+use super::{Check, ExportedLayout};
 use crate::project::Project;
 use crate::units::LengthUnit;
 use document::ReportDocument;
@@ -32,8 +32,8 @@ pub struct ReportSource<'a> {
 pub struct Report<'a> {
     /// The project.
     pub project: &'a Project,
-    /// Its layouts with their results, see [`super::cases`].
-    pub cases: &'a [Case],
+    /// Its layouts with their results, see [`super::exported()`].
+    pub cases: &'a [ExportedLayout],
     /// The checks of the layouts in the same order; shorter or empty where there are none.
     pub checks: &'a [Option<Check>],
     /// Where the project comes from.

@@ -6,7 +6,7 @@ use super::labels::Labels;
 use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
-use crate::export::{Case, Check};
+use crate::export::{Check, ExportedLayout};
 use crate::forecast::{Values, rescaled};
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
 
@@ -14,13 +14,13 @@ use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
 #[derive(Debug, Clone, Copy)]
 pub struct Series<'a> {
     /// The layout.
-    pub case: &'a Case,
+    pub case: &'a ExportedLayout,
     /// Its check.
     pub check: Option<&'a Check>,
 }
 
-impl<'a> From<&'a Case> for Series<'a> {
-    fn from(case: &'a Case) -> Series<'a> {
+impl<'a> From<&'a ExportedLayout> for Series<'a> {
+    fn from(case: &'a ExportedLayout) -> Series<'a> {
         Series { case, check: None }
     }
 }
@@ -293,7 +293,7 @@ fn at_failure(values: Values, unit: LengthUnit) -> String {
 /// One layout and everything that belongs to it.
 fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
     let case = series.case;
-    let forecast = &case.forecast;
+    let forecast = &case.forecast();
     match &forecast.field {
         Some(field) => {
             let mark = if forecast.extrapolated() { ", extrapolated" } else { "" };
@@ -334,16 +334,16 @@ fn pair(values: Values, unit: LengthUnit) -> String {
     format!("{}, {}", force_text(values.force), length_text(values.deflection, unit))
 }
 
-fn laboratory_words(case: &Case, unit: LengthUnit) -> String {
+fn laboratory_words(case: &ExportedLayout, unit: LengthUnit) -> String {
     format!(
         "laboratory test, standard panel: {} (only its end point was published; the shape is that of Eq. 3)",
-        at_failure(case.forecast.laboratory, unit)
+        at_failure(case.forecast().laboratory, unit)
     )
 }
 
 /// Design force, allowable deflection, and with a factor on it the resistance.
-fn design(content: &mut Content, case: &Case, unit: LengthUnit) {
-    let question = &case.question;
+fn design(content: &mut Content, case: &ExportedLayout, unit: LengthUnit) {
+    let question = &case.case.question;
     if let Some(force) = question.force {
         let load = force * question.gamma_load;
         let words = if question.gamma_load == 1.0 {
@@ -353,7 +353,7 @@ fn design(content: &mut Content, case: &Case, unit: LengthUnit) {
             format!("design force {} x {factor} = {}", force_text(force), force_text(load))
         };
         content.level(true, load, marks::DESIGN, words);
-        if let Some(design) = &case.design
+        if let Some(design) = &case.design()
             && question.gamma_resistance != 1.0
         {
             let words = format!(
@@ -377,9 +377,9 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
         let (stroke, mark) = marks::nth(index);
         let tag = (index + 1).to_string();
         let name = &series.case.entry.name;
-        match &series.case.forecast.field {
+        match &series.case.forecast().field {
             Some(field) => {
-                let far = if series.case.forecast.extrapolated() { ", extrapolated" } else { "" };
+                let far = if series.case.forecast().extrapolated() { ", extrapolated" } else { "" };
                 let words = format!("{name}: {}{far}", at_failure(field.values, unit));
                 content.line(&field.curve(POINTS), stroke, mark, &tag, words);
             }
@@ -392,7 +392,7 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
     let most = content.extent();
     // One laboratory test for all is a useful scale. It is far above the field's forces and leaves
     // the plot at its upper edge.
-    let mut tests = all.iter().map(|s| s.case.forecast.laboratory);
+    let mut tests = all.iter().map(|s| s.case.forecast().laboratory);
     if let Some(first) = tests.next()
         && tests.all(|other| other == first)
         && let Some(series) = all.first()

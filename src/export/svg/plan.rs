@@ -1,7 +1,7 @@
 //! The cell from above: anchor plates and punch to scale, the direction of the net.
 
 use super::drawing::{Anchor, Drawing, Frame, Stroke, TEXT, text_width};
-use crate::export::Case;
+use crate::export::ExportedLayout;
 use crate::layout::Layout;
 use crate::units::{LengthUnit, length_entry};
 use std::f64::consts::TAU;
@@ -13,8 +13,8 @@ const WINDOW: Frame = Frame { left: 24.0, top: 44.0, right: 344.0, bottom: 364.0
 
 /// Draws the plan of a layout's cell. x runs to the right, across the twists of the net; y up, along
 /// them. What lies beyond the cell is its periodic image. Lengths are written in `unit`.
-pub fn plan(case: &Case, unit: LengthUnit) -> String {
-    let layout = &case.forecast.layout;
+pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
+    let layout = &case.forecast().layout;
     let title = format!("{}: the cell from above", case.entry.name);
     let mut drawing = Drawing::new(WIDTH);
     let view = View::of(layout);

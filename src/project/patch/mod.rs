@@ -16,7 +16,8 @@ use super::schema::{NamedLayout, Project};
 use super::text::scalar::quoted;
 use super::text::{Group, Node, NodeKind, Shape, Span, Tree};
 use super::write;
-use crate::units::Quantity;
+use crate::case::Input;
+use crate::case::input::Missing;
 use fields::{FieldChange, Fields};
 use list::{Item, List};
 
@@ -244,20 +245,27 @@ fn one_layout(
         if old == new {
             continue;
         }
-        let in_its_unit = is.number(name).and_then(|(si, quantity)| match &present.kind {
-            NodeKind::Text(text) => write::number_with_unit(si, quantity, unit_of(text)),
+        let input = Input::named(name);
+        let in_its_unit = match (input, &present.kind) {
+            (Some(input), NodeKind::Text(text)) => is
+                .get(input)
+                .and_then(|si| write::number_with_unit(si, input.row().quantity, unit_of(text))),
             _ => None,
-        });
+        };
         fields.change(
             name,
             match (in_its_unit.or(new), *name) {
                 (Some(text), _) => FieldChange::Set(text),
-                (None, "design_force" | "allowable_deflection" | "check") => FieldChange::Unset,
+                (None, "check") => FieldChange::Unset,
                 (None, "note") => FieldChange::Set("\"\"".to_string()),
                 (None, "overlay") => FieldChange::Set("false".to_string()),
                 (None, "branch") => FieldChange::Set(is.branch.word().to_string()),
-                (None, "ex" | "ey") => FieldChange::Set("0.0".to_string()),
-                (None, _) => FieldChange::Set("1.0".to_string()),
+                (None, _) => match input.map(|input| (input.row().missing, input)) {
+                    Some((Missing::Means(default), input)) => {
+                        FieldChange::Set(write::number(default, input.row().quantity))
+                    }
+                    _ => FieldChange::Unset,
+                },
             },
         );
     }
@@ -270,23 +278,4 @@ fn unit_of(text: &str) -> &str {
     let unit = text.trim().trim_start_matches(digits);
     // An exponent is left over in front of the unit.
     unit.trim_start_matches(['e', 'E']).trim_start_matches(digits)
-}
-
-impl NamedLayout {
-    /// The number in a field, in SI, by the field's name in the file.
-    fn number(&self, field: &str) -> Option<(f64, Quantity)> {
-        let value = match field {
-            "d" => self.plate,
-            "L" => self.spacing,
-            "D" => self.punch,
-            "ex" => self.ex,
-            "ey" => self.ey,
-            "allowable_deflection" => self.allowable_deflection?,
-            "design_force" => return Some((self.design_force?, Quantity::Force)),
-            "gamma_resistance" => return Some((self.gamma_resistance, Quantity::Number)),
-            "gamma_load" => return Some((self.gamma_load, Quantity::Number)),
-            _ => return None,
-        };
-        Some((value, Quantity::Length))
-    }
 }

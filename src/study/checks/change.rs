@@ -113,8 +113,8 @@ fn error_of_mean(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::{Input, example};
     use crate::dem::Flow;
-    use crate::study::case::{Input, example};
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
     use crate::study::result::Wanted;

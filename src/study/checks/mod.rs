@@ -18,10 +18,10 @@
 pub(crate) mod change;
 pub(crate) mod figures;
 
-use super::case::Case;
 use super::ensemble::EnsembleProgress;
 use super::result::make::{self, wires};
 use super::result::{CheckResult, Wanted};
+use crate::case::Case;
 use crate::dem::Flow;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
@@ -194,9 +194,9 @@ pub(crate) fn difference(result: &CheckResult, forecast: Values) -> Option<Diffe
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::case::{Input, example};
     use crate::dem::Fidelity;
     use crate::layout::{Layout, REFERENCE};
-    use crate::study::case::{Input, example};
     use std::sync::Mutex;
     use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -4,7 +4,6 @@ use super::relief::Relief;
 use super::{CheckResult, Wanted};
 use crate::dem::{Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::fingerprint::Fingerprint;
-use crate::forecast::Values;
 use crate::layout::Layout;
 use crate::mesh::MeshType;
 use crate::mesh::wire::WireData;
@@ -53,12 +52,6 @@ pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
                 .advice("add them to the mesh, or pick the reference mesh"),
         ]
     })
-}
-
-/// Deflection at which a layout is expected to break until a run has told, m: its forecast's, or a fifth
-/// of the spacing where there is none.
-pub(crate) fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
-    forecast.map_or(0.2 * layout.spacing, |values| values.deflection)
 }
 
 /// Fingerprint of all inputs of a layout's check.

@@ -5,7 +5,7 @@
 //! that too.
 
 use super::{Effect, ends};
-use crate::study::case::{Case, Input};
+use crate::case::{Case, Input};
 use crate::study::checks::change::{CheckChange, KnownValue, change};
 use crate::study::checks::{CheckAnswer, NoCheck};
 
@@ -14,7 +14,7 @@ use crate::study::checks::{CheckAnswer, NoCheck};
 pub struct CheckedSensitivity {
     /// The case itself.
     pub base: CheckAnswer,
-    /// One for each input, in the order of [`Input::ALL`].
+    /// One for each input, in the order of [`Input::VARIED`].
     pub bars: Vec<CheckedBar>,
 }
 
@@ -64,7 +64,7 @@ impl CheckedBar {
 }
 
 impl CheckedSensitivity {
-    /// The bars by falling effect; equal ones in the order of [`Input::ALL`].
+    /// The bars by falling effect; equal ones in the order of [`Input::VARIED`].
     pub(crate) fn by(&self, effect: Effect) -> Vec<&CheckedBar> {
         let mut bars: Vec<&CheckedBar> = self.bars.iter().collect();
         bars.sort_by(|a, b| b.largest(effect).total_cmp(&a.largest(effect)));
@@ -79,7 +79,7 @@ impl CheckedSensitivity {
 
 /// The inputs that a check knows.
 fn checked() -> impl Iterator<Item = Input> {
-    Input::ALL.into_iter().filter(|input| !input.is_laboratory())
+    Input::VARIED.into_iter().filter(|input| !input.is_laboratory())
 }
 
 /// The eleven cases to check: the case itself, then for each input that a check knows one step down
@@ -95,7 +95,7 @@ pub(crate) fn assemble(case: &Case, answers: &[CheckAnswer]) -> CheckedSensitivi
     let mut answers = answers.iter().cloned();
     let mut next = || answers.next().unwrap_or(Err(NoCheck::NotMade));
     let base = next();
-    let bars = Input::ALL
+    let bars = Input::VARIED
         .into_iter()
         .map(|input| {
             let [lowered, raised] = ends(case, input).map(|value| {
@@ -113,8 +113,8 @@ pub(crate) fn assemble(case: &Case, answers: &[CheckAnswer]) -> CheckedSensitivi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::example;
     use crate::dem::Flow;
-    use crate::study::case::example;
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
 

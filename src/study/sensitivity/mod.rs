@@ -8,7 +8,7 @@
 
 pub(crate) mod dem;
 
-use crate::study::case::{Case, CaseValue, Input};
+use crate::case::{Case, CaseValue, Input};
 use crate::units::without_noise;
 
 /// Step of d, L, D, F_l* and delta_l* as a part of the value.
@@ -32,10 +32,10 @@ pub(crate) fn ends(case: &Case, input: Input) -> [f64; 2] {
     [without_noise(value - step), without_noise(value + step)]
 }
 
-/// The fourteen cases of a sensitivity: for each input in the order of [`Input::ALL`] one step down,
+/// The fourteen cases of a sensitivity: for each input in the order of [`Input::VARIED`] one step down,
 /// then one step up.
 pub fn cases(case: &Case) -> Vec<Case> {
-    Input::ALL
+    Input::VARIED
         .into_iter()
         .flat_map(|input| ends(case, input).map(|value| case.with(input, value)))
         .collect()
@@ -46,7 +46,7 @@ pub fn cases(case: &Case) -> Vec<Case> {
 pub struct Sensitivity {
     /// The case itself.
     pub base: CaseValue,
-    /// One for each input, in the order of [`Input::ALL`].
+    /// One for each input, in the order of [`Input::VARIED`].
     pub bars: Vec<Bar>,
 }
 
@@ -122,7 +122,7 @@ impl Bar {
 }
 
 impl Sensitivity {
-    /// The bars by falling effect, as a tornado shows them; equal ones in the order of [`Input::ALL`].
+    /// The bars by falling effect, as a tornado shows them; equal ones in the order of [`Input::VARIED`].
     pub(crate) fn by(&self, effect: Effect) -> Vec<&Bar> {
         let mut bars: Vec<&Bar> = self.bars.iter().collect();
         bars.sort_by(|a, b| b.largest(effect).total_cmp(&a.largest(effect)));
@@ -137,7 +137,7 @@ pub fn sensitivity(case: &Case) -> Sensitivity {
         let outcome = case.with(input, value).outcome();
         Step { value, change: change(&base, &outcome), outcome }
     };
-    let bars = Input::ALL
+    let bars = Input::VARIED
         .into_iter()
         .map(|input| {
             let [low, high] = ends(case, input);
@@ -164,8 +164,8 @@ fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::{NoValue, example as case};
     use crate::layout::{Layout, REFERENCE};
-    use crate::study::case::{NoValue, example as case};
 
     fn bar(s: &Sensitivity, input: Input) -> &Bar {
         s.bars.iter().find(|b| b.input == input).unwrap()

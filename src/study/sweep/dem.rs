@@ -1,7 +1,7 @@
 //! A sweep by checks: each point of the grid an ensemble with the same seeds.
 
 use super::Grid;
-use crate::study::case::Case;
+use crate::case::Case;
 use crate::study::checks::{CheckAnswer, NoCheck};
 
 /// The cases of a grid, in the order of [`Grid::at`].
@@ -29,8 +29,8 @@ pub(crate) fn extent(answers: &[CheckAnswer]) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::{Input, example};
     use crate::dem::Flow;
-    use crate::study::case::{Input, example};
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
     use crate::study::sweep::SweepAxis;

@@ -4,9 +4,9 @@
 
 pub(crate) mod dem;
 
+use crate::case::{Case, CaseValue, Input};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::problem::Problem;
-use crate::study::case::{Case, CaseValue, Input};
 use crate::units::without_noise;
 
 /// Most values of one axis.
@@ -144,9 +144,9 @@ impl Grid {
 
     fn set(&self, case: &mut Case, index: usize) {
         let (first, second) = self.at(index);
-        self.first.input.set(case, first);
+        case.set(self.first.input, first);
         if let (Some(axis), Some(value)) = (&self.second, second) {
-            axis.input.set(case, value);
+            case.set(axis.input, value);
         }
     }
 
@@ -191,7 +191,7 @@ pub fn sweep(base: &Case, grid: Grid) -> Sweep {
 /// Smallest and largest of what is read from the points that have values; nothing where none has.
 pub(crate) fn extent(
     points: &[CaseValue],
-    read: impl Fn(&crate::study::case::CasePoint) -> Option<f64>,
+    read: impl Fn(&crate::case::CasePoint) -> Option<f64>,
 ) -> Option<(f64, f64)> {
     points.iter().flatten().filter_map(read).fold(None, |extent, value| {
         let (least, most) = extent.unwrap_or((value, value));
@@ -202,8 +202,8 @@ pub(crate) fn extent(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::{NoValue, example as case};
     use crate::layout::REFERENCE;
-    use crate::study::case::{NoValue, example as case};
 
     fn axis(input: Input, from: f64, to: f64, steps: usize) -> SweepAxis {
         SweepAxis { input, from, to, steps }

@@ -9,7 +9,7 @@ use super::{nothing, plan};
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::design::{DesignKind, DesignLine, DesignView};
-use crate::study::case::{CasePoint, CaseValue, Input, NoValue, input_value};
+use crate::case::{CasePoint, CaseValue, Input, NoValue, input_value};
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{

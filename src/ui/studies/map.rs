@@ -5,10 +5,10 @@ use super::super::theme::Theme;
 use super::{nothing, size};
 use crate::app::App;
 use crate::app::studies::sweep::SweepView;
+use crate::case::{Input, input_unit, input_value};
 use crate::show::effect;
 use crate::show::map::{self, Cell, CellMap, Fit, LEFT, MapLayer};
 use crate::show::picture::Ink;
-use crate::study::case::{Input, input_unit, input_value};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

@@ -7,11 +7,11 @@ use super::{map, nothing, plan, size, value};
 use crate::app::App;
 use crate::app::entry::Slot;
 use crate::app::studies::sweep::SweepView;
+use crate::case::{Input, input_unit, input_value};
 use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::Plot;
-use crate::study::case::{Input, input_unit, input_value};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
@@ -91,7 +91,8 @@ fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, t
     }
     let outside = range
         .input
-        .published_range()
+        .row()
+        .published
         .is_some_and(|published| !published.holds(range.from) || !published.holds(range.to));
     if outside {
         put(buf, row, 0, column + 1, "! beyond the published range", theme.caution);
