@@ -52,7 +52,7 @@ impl Bits {
 
 /// The same bits on all paths; tells how many bonds broke.
 fn same_on_all_paths<R: Kernel>(spec: &SceneSpec, blocks: usize, travel: f64) -> usize {
-    let portable = Bits::of::<R>(spec, Path::Portable, blocks, travel);
+    let portable = Bits::of::<R>(spec, Path::portable(), blocks, travel);
     for path in Path::available() {
         let other = Bits::of::<R>(spec, path, blocks, travel);
         let differ = portable.numbers.iter().zip(&other.numbers).filter(|(a, b)| a != b).count();

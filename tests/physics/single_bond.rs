@@ -2,9 +2,7 @@
 //! pulled to rupture. By the law itself, by the plain solver, and by the fast solver's own kernel.
 
 use crate::{published, table};
-use meshcast::dem::fast::kernel::DomeHeights;
-use meshcast::dem::fast::state::{NetState, PAD};
-use meshcast::dem::fast::{Kernel, Path};
+use meshcast::dem::fast::{DomeHeights, Kernel, NetState, Path};
 use meshcast::dem::inertia::PairInertia;
 use meshcast::dem::lattice::{Role, bond_number};
 use meshcast::dem::law::{BondCurve, Law};
@@ -195,19 +193,9 @@ fn kernel<R: Kernel>(
     let still = vec![PairInertia::default(); scene.lattice.pairs()];
     let mut state = NetState::<R>::new(&scene, &still, unloading, 1.0);
     let (row, column) = (scene.lattice.rows - 1, 5);
-    let at = state.at(row, column);
-    if single_values && state.uniform {
+    if single_values {
         // The path for bonds that differ, with values that happen not to.
-        let size = state.top[0].len();
-        state.uniform = false;
-        for k in 0..3 {
-            let kind = &state.kinds[usize::from(k > 0)];
-            let (per_length, ramp) = (kind.per_length, kind.ramp);
-            state.own[k] = [
-                meshcast::dem::fast::plane::Plane::new(per_length, size),
-                meshcast::dem::fast::plane::Plane::new(ramp, size),
-            ];
-        }
+        state.take_bonds_one_by_one();
     }
     let rest = scene.lattice.rest(role);
     let length = scene.length(role);
@@ -220,14 +208,11 @@ fn kernel<R: Kernel>(
             // end is the neighbour's.
             let (ends, sign) = if role == Role::Twist { (1..2, 1.0) } else { (0..2, -1.0) };
             for end in ends {
-                for (plane, along) in state.moved[end].iter_mut().zip(along) {
-                    plane[at] = R::new(sign * u * along);
-                }
+                state.put(end, row, column, [sign * u * along[0], sign * u * along[1], 0.0]);
             }
             R::run(&mut state, path, 1, &|_| far);
-            let force = &state.forces[2][role as usize];
-            let part = |k: usize| force[k][PAD + column].wide();
-            (0..2).map(|k| part(k) * along[k]).sum()
+            let force = state.force_in_last_row(role, column);
+            (0..2).map(|k| force[k] * along[k]).sum()
         })
         .collect()
 }

@@ -24,7 +24,7 @@ struct KindLanes<'a, L: Lanes> {
 impl<'a, L: Lanes> KindLanes<'a, L> {
     #[inline(always)]
     unsafe fn new(kind: &'a BondKind<L::Real>) -> Self {
-        // SAFETY: the caller's promise about the instruction set.
+        // SAFETY: the caller promises the instruction set; registers alone are touched.
         unsafe {
             KindLanes {
                 kind,
@@ -41,7 +41,7 @@ impl<'a, L: Lanes> KindLanes<'a, L> {
     /// Loading curve behind the ramp at strain `e`.
     #[inline(always)]
     unsafe fn curve(&self, e: L) -> L {
-        // SAFETY: the caller's promise about the instruction set.
+        // SAFETY: the caller promises the instruction set; registers alone are touched.
         unsafe {
             match &self.kind.shape {
                 NetShape::Lines(lines) => {
@@ -77,7 +77,7 @@ unsafe fn pulls<L: Lanes>(
     top: [*mut L::Real; 3],
     own: Option<[[*const L::Real; 2]; 3]>,
 ) -> [L; 3] {
-    // SAFETY: the caller's promise about the instruction set and the addresses.
+    // SAFETY: the caller promises the instruction set, and a vector within a plane at each address.
     unsafe {
         let zero = L::splat(L::Real::default());
         let one = L::splat(L::Real::new(1.0));
@@ -140,7 +140,7 @@ impl<L: Lanes> DomeLanes<L> {
     /// Contact force on nodes at `p` (from the axis, and from the flat net), N.
     #[inline(always)]
     unsafe fn push(&self, p: [L; 3]) -> [L; 3] {
-        // SAFETY: the caller's promise about the instruction set.
+        // SAFETY: the caller promises the instruction set; registers alone are touched.
         unsafe {
             let zero = L::splat(L::Real::default());
             let square = p[0].mul(p[0]).add(p[1].mul(p[1]));
@@ -241,7 +241,7 @@ pub(crate) unsafe fn step<L: Lanes, const UNIFORM: bool>(
     state: &mut NetState<L::Real>,
     heights: DomeHeights,
 ) {
-    let last = state.rows - 1;
+    let Some(last) = state.rows.checked_sub(1) else { return };
     if state.periodic {
         // The first row's bottoms, as they are before they move, are those above the last row.
         let (first, ghost) = (state.at(0, 0) - 1, state.at(state.rows, 0) - 1);
@@ -262,7 +262,8 @@ pub(crate) unsafe fn step<L: Lanes, const UNIFORM: bool>(
         grain: state.grain,
         periodic: state.periodic,
     };
-    // SAFETY: every row asked for exists, and planes have a pad behind the last place touched.
+    // SAFETY: the caller promises the instruction set; every row asked for is below `rows`, and the
+    // planes are those of a `NetState`, which sizes them (see there).
     unsafe {
         bonds::<L, UNIFORM>(&step, last, LAST);
         let mut below = LAST;
@@ -287,7 +288,9 @@ unsafe fn bonds<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, row: usize, o
     // Whole vectors, then what is left of the row in steps of the shorter ones.
     let columns = planes.columns.div_ceil(8) * 8;
     let mut column = 0;
-    // SAFETY: the caller's promise about the instruction set; ghosts are within the buffers.
+    // SAFETY: the caller promises the instruction set and a row that exists. `columns` is rounded up to
+    // 8, which is at most the stride, so each vector starts and ends in the row; the ghosts are the
+    // places before the first column and behind the last one, within the row buffer's pads.
     unsafe {
         while column + L::N <= columns {
             bonds_at::<L, UNIFORM>(planes, step.kinds, step.rest, row, column, own);
@@ -314,7 +317,7 @@ unsafe fn bonds<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, row: usize, o
 /// vectors would go through memory.
 #[inline(always)]
 unsafe fn three<L: Lanes>(planes: [*mut L::Real; 3], at: usize) -> [L; 3] {
-    // SAFETY: the caller's promise about the address.
+    // SAFETY: the caller promises the instruction set, and that a vector at `at` is within the planes.
     unsafe { [L::load(planes[0].add(at)), L::load(planes[1].add(at)), L::load(planes[2].add(at))] }
 }
 
@@ -331,8 +334,10 @@ unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
     let there = planes.at(row + 1, column);
     // Odd rows stand half an opening to the right (see `lattice`).
     let ends = if row.is_multiple_of(2) { [there - 1, there] } else { [there, there + 1] };
-    // SAFETY: `here`, `there` and their neighbours are within the planes, which are padded by more
-    // than a vector on both sides; so is `column` in the row buffers.
+    // SAFETY: the caller promises the instruction set and a vector from `column` on within the row.
+    // `here` is in a row of the planes and `there` in the next one, the last row's next being the ghost
+    // row; a place to either side is still within the pads. Row buffers have a stride and two pads, and
+    // `own` has the size of a plane where `UNIFORM` is false.
     unsafe {
         let twist = KindLanes::<L>::new(&kinds[0]);
         let single = KindLanes::<L>::new(&kinds[1]);
@@ -375,7 +380,9 @@ unsafe fn nodes<L: Lanes>(step: &Step<'_, L>, row: usize, own: usize, below: usi
     let planes = &step.planes;
     let columns = planes.columns.div_ceil(8) * 8;
     let mut column = 0;
-    // SAFETY: the caller's promise about the instruction set; ghosts are within the planes.
+    // SAFETY: the caller promises the instruction set and a row that exists. `columns` is rounded up to
+    // 8, which is at most the stride, so each vector starts and ends in the row; the ghosts are the
+    // places before the first column and behind the last one, which every row of a plane has.
     unsafe {
         while column + L::N <= columns {
             nodes_at::<L, L>(step, row, column, own, below);
@@ -410,7 +417,9 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
     // Which wires from below end at this bottom node: see `lattice`.
     let (from_left, from_right) =
         if row % 2 == 1 { (place + 1, place) } else { (place, place - 1) };
-    // SAFETY: as in `wires_at`.
+    // SAFETY: the caller promises the instruction set and a vector from `column` on within a row that
+    // exists: `at` is in the planes, `place` and a place to either side in the row buffers with their
+    // pads, `block` in `near` and `holds`, which have a place for each block of each row.
     unsafe {
         let moved = [three::<L>(planes.moved[0], at), three::<L>(planes.moved[1], at)];
         let twist = three::<L>(planes.forces[own][0], place);
@@ -464,7 +473,7 @@ unsafe fn contact<L: Lanes<Real = W::Real>, W: Lanes>(
     moved: &[[L; 3]; 2],
     force: &mut [[L; 3]; 2],
 ) {
-    // SAFETY: as in `wires_at`.
+    // SAFETY: as in `nodes_at`, which hands on its own row and column.
     unsafe {
         let place = PAD + column;
         let values = &step.dome;

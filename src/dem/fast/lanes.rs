@@ -174,57 +174,69 @@ mod x86 {
             #[derive(Debug, Clone, Copy)]
             pub(crate) struct $name($inner);
 
-            // SAFETY of every call below: the trait's promise that the instruction set is there and
-            // that addresses hold N numbers. `max(a, b)` of these instructions is `a > b ? a : b`.
+            // `max(a, b)` of these instructions is `a > b ? a : b`, `min(a, b)` is `a < b ? a : b`.
             impl Lanes for $name {
                 type Real = $real;
                 type Tail = $tail;
                 const N: usize = $n;
                 #[inline(always)]
                 unsafe fn load(from: *const $real) -> Self {
+                    // SAFETY: the caller promises this instruction set, and N numbers at the address; the
+                    // instruction asks for no alignment.
                     $name(unsafe { $load(from) })
                 }
                 #[inline(always)]
                 unsafe fn store(self, to: *mut $real) {
+                    // SAFETY: the caller promises this instruction set, and N numbers at the address; the
+                    // instruction asks for no alignment.
                     unsafe { $store(to, self.0) }
                 }
                 #[inline(always)]
                 unsafe fn splat(x: $real) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $splat(x) })
                 }
                 #[inline(always)]
                 unsafe fn add(self, b: Self) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $add(self.0, b.0) })
                 }
                 #[inline(always)]
                 unsafe fn sub(self, b: Self) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $sub(self.0, b.0) })
                 }
                 #[inline(always)]
                 unsafe fn mul(self, b: Self) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $mul(self.0, b.0) })
                 }
                 #[inline(always)]
                 unsafe fn max(self, b: Self) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $max(self.0, b.0) })
                 }
                 #[inline(always)]
                 unsafe fn min(self, b: Self) -> Self {
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $min(self.0, b.0) })
                 }
                 #[inline(always)]
                 unsafe fn select_gt(self, b: Self, yes: Self, no: Self) -> Self {
                     let ($a, $b, $yes, $no) = (self.0, b.0, yes.0, no.0);
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $select })
                 }
                 #[inline(always)]
                 unsafe fn any_gt(self, b: Self) -> bool {
                     let ($a, $b) = (self.0, b.0);
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     unsafe { $any }
                 }
                 #[inline(always)]
                 unsafe fn rsqrt(self) -> Self {
                     let $x = self.0;
+                    // SAFETY: the caller promises this instruction set; registers alone are touched.
                     $name(unsafe { $rsqrt })
                 }
             }

@@ -10,59 +10,30 @@
 //!   that the nodes cannot cross in between; where they could, the run counts as diverged.
 //! - *No periodic images* where the net ends, *no values of single bonds* where all are alike.
 //!
-//! Files: [`state`] the planes, [`kernel`] one step, [`lanes`] the vectors, this one the driver.
+//! Files: [`state`] the planes, [`kernel`] one step, [`lanes`] the vectors, [`path`] which of them the
+//! processor has, this one the driver.
+//!
+//! Nothing outside can make it read past a plane or run an instruction that the processor lacks:
+//! [`NetState`] has private fields and one constructor, which sizes every plane, and a [`Path`] is had
+//! by detection alone.
 
-pub mod kernel;
+mod kernel;
 pub(crate) mod lanes;
-pub mod plane;
-pub mod state;
+mod path;
+mod plane;
+pub(crate) mod state;
 
 use super::inertia::{self, PairModes, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
 use super::law::{Law, Ramp};
 use super::scene::Scene;
 use super::stepper::{Energies, StepBlock, Stepper};
-use kernel::DomeHeights;
+pub use kernel::DomeHeights;
 use lanes::{Portable, Real};
-use state::{BLOCK, BondValues, MISSING, NetState, PAD, bond_values, curve};
-
-/// Instruction set of the kernel. The answer has the same bits with each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Path {
-    /// AVX-512F, 16 lanes.
-    Avx512,
-    /// AVX2, 8 lanes.
-    Avx2,
-    /// SSE2, 4 lanes: every x86-64 processor.
-    Sse2,
-    /// No instructions of its own: any processor.
-    Portable,
-}
-
-impl Path {
-    /// The paths that this processor has, the widest first.
-    pub fn available() -> Vec<Path> {
-        let mut paths = Vec::new();
-        #[cfg(target_arch = "x86_64")]
-        {
-            if is_x86_feature_detected!("avx512f") {
-                paths.push(Path::Avx512);
-            }
-            if is_x86_feature_detected!("avx2") {
-                paths.push(Path::Avx2);
-            }
-            paths.push(Path::Sse2);
-        }
-        paths.push(Path::Portable);
-        paths
-    }
-
-    /// The widest path that this processor has.
-    pub fn best() -> Path {
-        Path::available()[0] // Never empty: `Portable` is always pushed.
-    }
-}
+pub use path::Path;
+use path::Set;
+pub use state::NetState;
+use state::{BLOCK, BondValues, MISSING, PAD, bond_values, curve};
 
 /// Steps between two searches for the blocks that may touch the dome.
 const SEARCH: usize = 32;
@@ -91,7 +62,7 @@ pub struct FastOptions {
     pub damping: f64,
     /// Whether bonds unload with their true elastic slope.
     pub true_unloading: bool,
-    /// Instruction set; one the processor does not have is replaced by the widest it has.
+    /// Instruction set.
     pub path: Path,
 }
 
@@ -124,14 +95,12 @@ impl<R: Kernel> Fast<R> {
             inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
         let modes = inertia.iter().map(PairModes::of).collect();
         let state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
-        let path =
-            if Path::available().contains(&options.path) { options.path } else { Path::best() };
         Fast {
             scene: scene.clone(),
             modes,
             unloading,
             state,
-            path,
+            path: options.path,
             deflection: 0.0,
             until_search: 0,
         }
@@ -401,7 +370,7 @@ unsafe fn steps<L: lanes::Lanes>(
     steps: usize,
     heights: &dyn Fn(usize) -> DomeHeights,
 ) {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller promises the instruction set of `L`.
     unsafe {
         if state.uniform {
             for step in 0..steps {
@@ -432,7 +401,8 @@ macro_rules! kernel {
                         n: usize,
                         heights: &dyn Fn(usize) -> DomeHeights,
                     ) {
-                        // SAFETY: called only where the processor has AVX-512F.
+                        // SAFETY: this function has AVX-512F, which is all that these lanes use
+                        // (their tail has AVX2, which AVX-512F implies).
                         unsafe { steps::<lanes::$avx512>(state, n, heights) }
                     }
                     #[target_feature(enable = "avx2")]
@@ -441,19 +411,21 @@ macro_rules! kernel {
                         n: usize,
                         heights: &dyn Fn(usize) -> DomeHeights,
                     ) {
-                        // SAFETY: called only where the processor has AVX2.
+                        // SAFETY: this function has AVX2, which is all that these lanes use.
                         unsafe { steps::<lanes::$avx2>(state, n, heights) }
                     }
-                    // SAFETY: `Fast::new` takes only paths that the processor has; SSE2 is part of x86-64.
-                    match path {
-                        Path::Avx512 => return unsafe { avx512(state, n, heights) },
-                        Path::Avx2 => return unsafe { avx2(state, n, heights) },
-                        Path::Sse2 => return unsafe { steps::<lanes::$sse2>(state, n, heights) },
-                        Path::Portable => {}
+                    match path.set() {
+                        // SAFETY: a path has this set only where AVX-512F was detected.
+                        Set::Avx512 => return unsafe { avx512(state, n, heights) },
+                        // SAFETY: a path has this set only where AVX2 was detected.
+                        Set::Avx2 => return unsafe { avx2(state, n, heights) },
+                        // SAFETY: SSE2 is part of x86-64.
+                        Set::Sse2 => return unsafe { steps::<lanes::$sse2>(state, n, heights) },
+                        Set::Portable => {}
                     }
                 }
                 let _ = path;
-                // SAFETY: portable lanes need no instruction set.
+                // SAFETY: portable lanes are arrays and need no instruction set.
                 unsafe { steps::<$portable>(state, n, heights) }
             }
         }

@@ -7,7 +7,7 @@ const LINE: usize = 64;
 
 /// Numbers in a row, the first at a multiple of 64 bytes.
 #[derive(Debug)]
-pub struct Plane<R> {
+pub(super) struct Plane<R> {
     all: Vec<R>,
     start: usize,
     len: usize,
@@ -15,7 +15,7 @@ pub struct Plane<R> {
 
 impl<R: Copy> Plane<R> {
     /// `len` numbers, all `value`.
-    pub fn new(value: R, len: usize) -> Plane<R> {
+    pub(super) fn new(value: R, len: usize) -> Plane<R> {
         let spare = LINE / size_of::<R>();
         let all = vec![value; len + spare];
         // Where the allocator's alignment is below the number's own size this cannot be; 0 is right then.

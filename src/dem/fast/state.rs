@@ -14,15 +14,15 @@ use super::lanes::Real;
 use super::plane::Plane;
 
 /// Places before the first row and behind the last one.
-pub const PAD: usize = 16;
+pub(super) const PAD: usize = 16;
 /// Columns are dealt with in blocks of this many: the widest vector.
-pub(crate) const BLOCK: usize = 16;
+pub(super) const BLOCK: usize = 16;
 /// Largest strain of a bond that is not there: far beyond any rupture.
-pub(crate) const MISSING: f64 = 1.0e3;
+pub(super) const MISSING: f64 = 1.0e3;
 
 /// How the loading curve behind the ramp is evaluated.
 #[derive(Debug, Clone, PartialEq)]
-pub enum NetShape<R> {
+pub(super) enum NetShape<R> {
     /// Slopes fall from corner to corner: the least of these lines (slope, value at 0).
     Lines([(R, R); LINES]),
     /// Any curve: value at the end of the ramp, then for each corner (strain, change of slope).
@@ -30,28 +30,28 @@ pub enum NetShape<R> {
 }
 
 /// Lines of the fast shape: a curve of seven points. Shorter ones repeat their last line.
-pub(crate) const LINES: usize = 6;
+pub(super) const LINES: usize = 6;
 
 /// A kind of bond as the kernel needs it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BondKind<R> {
+pub(super) struct BondKind<R> {
     /// Strain and force at the end of the ramp.
-    pub knee: (R, R),
+    pub(super) knee: (R, R),
     /// Curve behind it.
-    pub shape: NetShape<R>,
+    pub(super) shape: NetShape<R>,
     /// Slope of unloading, N per unit of strain, or less than the ramp's, which then counts.
-    pub unloading: R,
+    pub(super) unloading: R,
     /// Strain at rupture.
-    pub rupture: R,
+    pub(super) rupture: R,
     /// 1/l1 where all bonds of the kind are alike, 1/m.
-    pub per_length: R,
+    pub(super) per_length: R,
     /// Slope of the ramp where all are alike, N per unit of strain.
-    pub ramp: R,
+    pub(super) ramp: R,
 }
 
 impl<R: Real> BondKind<R> {
     /// The kind of bonds with this curve and these unloading slope and values.
-    pub(crate) fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> BondKind<R> {
+    fn new(curve: &BondCurve, unloading: f64, sample: &BondValues) -> BondKind<R> {
         let n = curve.strain.len();
         let falling =
             n >= 2 && n - 1 <= LINES && (1..n).all(|k| curve.slope[k] <= curve.slope[k - 1]);
@@ -112,72 +112,83 @@ pub(crate) fn curve(scene: &Scene, role: Role) -> &BondCurve {
 }
 
 /// Three planes: x, y and z.
-pub(crate) type Three<R> = [Plane<R>; 3];
+pub(super) type Three<R> = [Plane<R>; 3];
 
 /// The state and all constants of a run.
+///
+/// The kernel walks the planes by addresses, and what keeps it inside them is made by the constructor and
+/// never changed: `stride` is a multiple of [`BLOCK`] and at least `columns + 2`; the planes have
+/// `2 PAD + (rows + 1) stride` places, those of a row `2 PAD + stride`, `own` as many as a plane unless
+/// `uniform`, `holds` and `near` `rows stride / BLOCK`, `along` `rows`; [`PAD`] is a vector.
+///
+/// ```compile_fail,E0616
+/// fn more(state: &mut meshcast::dem::fast::NetState<f32>) {
+///     state.rows += 1;
+/// }
+/// ```
 #[derive(Debug, Clone)]
 pub struct NetState<R: Copy> {
     /// Columns and rows of pairs.
-    pub columns: usize,
+    pub(super) columns: usize,
     /// Rows of pairs.
-    pub rows: usize,
+    pub(super) rows: usize,
     /// Whether the net goes on beyond its edges.
-    pub periodic: bool,
+    pub(super) periodic: bool,
     /// Distance in a plane from a row to the next.
-    pub stride: usize,
+    pub(super) stride: usize,
     /// Displacements of the bottom and the top nodes, m.
-    pub moved: [Three<R>; 2],
+    pub(super) moved: [Three<R>; 2],
     /// Displacements in the last step, m.
-    pub velocity: [Three<R>; 2],
+    pub(super) velocity: [Three<R>; 2],
     /// Inverse inertia, m/N: own terms of bottom and top, cross term.
-    pub inertia: [Plane<R>; 3],
+    pub(super) inertia: [Plane<R>; 3],
     /// Factors out of the plane, over the ones in it.
-    pub out_of_plane: R,
+    pub(super) out_of_plane: R,
     /// Largest strain so far of twists, left and right wires.
-    pub top: [Plane<R>; 3],
+    pub(super) top: [Plane<R>; 3],
     /// 1/l1 and ramp slope of each bond, by role; empty where all bonds of a kind are alike.
-    pub own: [[Plane<R>; 2]; 3],
+    pub(super) own: [[Plane<R>; 2]; 3],
     /// Whether all bonds of a kind are alike.
-    pub uniform: bool,
+    pub(super) uniform: bool,
     /// Twist, then single wire.
-    pub kinds: [BondKind<R>; 2],
+    pub(super) kinds: [BondKind<R>; 2],
     /// Rest vectors: twist (along y), and half the opening and the projection of a wire.
-    pub rest: (R, [R; 2]),
+    pub(super) rest: (R, [R; 2]),
     /// Forces of a row's bonds on their first nodes, N, by role; for even rows, odd rows and the last.
-    pub forces: [[Three<R>; 3]; 3],
+    pub(super) forces: [[Three<R>; 3]; 3],
     /// 1 where the bottom or the top node is fixed, else 0.
-    pub held: [Plane<R>; 2],
+    pub(super) held: [Plane<R>; 2],
     /// Whether a block of a row holds a fixed node.
-    pub holds: Vec<bool>,
+    pub(super) holds: Vec<bool>,
     /// Whether a block of a row may touch the dome.
-    pub near: Vec<bool>,
+    pub(super) near: Vec<bool>,
     /// Place of the bottom nodes of even and odd rows from the punch's axis along x, m.
-    pub across: [Plane<R>; 2],
+    pub(super) across: [Plane<R>; 2],
     /// Place of a row's bottom and top nodes from the punch's axis along y, m.
-    pub along: Vec<[R; 2]>,
+    pub(super) along: Vec<[R; 2]>,
     /// Sums over rows and steps of the force on the punch and on the support, by column, N.
-    pub sums: [Plane<R>; 2],
+    pub(super) sums: [Plane<R>; 2],
     /// Part of the velocity that stays after a step.
-    pub keep: R,
+    pub(super) keep: R,
     /// See [`Real::GRAIN`].
-    pub grain: R,
+    pub(super) grain: R,
     /// The dome: what the kernel needs of it.
-    pub dome: DomeValues<R>,
+    pub(super) dome: DomeValues<R>,
 }
 
 /// The dome's numbers, m (see [`super::super::dome::Dome`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DomeValues<R> {
+pub(super) struct DomeValues<R> {
     /// Radius of cap and node together.
-    pub(crate) cap_reach: R,
+    pub(super) cap_reach: R,
     /// Radius of rim tube and node together.
-    pub(crate) rim_reach: R,
+    pub(super) rim_reach: R,
     /// Radius of the rim's centre circle.
-    pub(crate) ring: R,
+    pub(super) ring: R,
     /// Radius over height at the seam.
-    pub(crate) seam: R,
+    pub(super) seam: R,
     /// Contact stiffness, N/m.
-    pub(crate) stiffness: R,
+    pub(super) stiffness: R,
 }
 
 impl<R: Real> NetState<R> {
@@ -247,8 +258,35 @@ impl<R: Real> NetState<R> {
         state
     }
 
+    /// Puts a node (bottom 0, top 1) of a pair where it stands moved by this, m, from its unloaded place.
+    pub fn put(&mut self, end: usize, row: usize, column: usize, moved: [f64; 3]) {
+        let at = self.at(row, column);
+        for (plane, moved) in self.moved[end].iter_mut().zip(moved) {
+            plane[at] = R::new(moved);
+        }
+    }
+
+    /// Force of a bond of the last row on its first node in the last step, N.
+    pub fn force_in_last_row(&self, role: Role, column: usize) -> [f64; 3] {
+        self.forces[2][role as usize].each_ref().map(|plane| plane[PAD + column].wide())
+    }
+
+    /// From now on the kernel reads the values of each bond, as where they differ, also where all are
+    /// alike.
+    pub fn take_bonds_one_by_one(&mut self) {
+        if !self.uniform {
+            return;
+        }
+        let size = self.top[0].len();
+        for (k, own) in self.own.iter_mut().enumerate() {
+            let kind = &self.kinds[usize::from(k > 0)];
+            *own = [Plane::new(kind.per_length, size), Plane::new(kind.ramp, size)];
+        }
+        self.uniform = false;
+    }
+
     /// Place of a pair in a plane.
-    pub fn at(&self, row: usize, column: usize) -> usize {
+    pub(super) fn at(&self, row: usize, column: usize) -> usize {
         PAD + row * self.stride + column
     }
 
