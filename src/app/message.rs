@@ -17,6 +17,8 @@ pub enum Message {
     Key(Key),
     /// Text was pasted (bracketed paste), line ends included.
     Paste(String),
+    /// Text keys that came faster than anybody types: a paste that the terminal did not mark.
+    Burst(Vec<Key>),
     /// The terminal has this size now.
     Resize {
         /// Columns.

@@ -4,6 +4,7 @@
 //! - [`keymap`]: which key means what where.
 //! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
 //!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
+//! - [`pasted`]: what comes from a clipboard, marked as such or not.
 //! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
 //! - [`studies`]: the pages of studies and the checks behind them.
 //! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
@@ -25,6 +26,7 @@ pub mod message;
 pub mod open;
 pub(crate) mod output;
 pub(crate) mod pages;
+pub(crate) mod pasted;
 pub mod settings;
 pub(crate) mod studies;
 pub mod tour;

@@ -23,13 +23,10 @@ impl App {
         match message {
             Message::Key(key) => self.key(key),
             Message::Paste(text) => {
-                match &mut self.mode {
-                    Mode::Entry(entry) => entry.paste(&text),
-                    Mode::Open(picker) => picker.paste(&text),
-                    _ => {}
-                }
+                self.paste(&text);
                 Vec::new()
             }
+            Message::Burst(keys) => self.burst(&keys),
             Message::Resize { width, height } => {
                 self.size = (width, height);
                 Vec::new()
@@ -72,7 +69,7 @@ impl App {
         }
     }
 
-    fn key(&mut self, key: Key) -> Vec<Command> {
+    pub(super) fn key(&mut self, key: Key) -> Vec<Command> {
         self.status = None;
         if let Mode::Entry(entry) = &mut self.mode {
             // A question mark is text here.

@@ -1,7 +1,6 @@
 //! Taking the terminal and giving it back.
 
 use super::tty;
-use crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -22,7 +21,7 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 pub(crate) fn restore() {
     if TAKEN.swap(false, Ordering::SeqCst) {
         // Both may fail on a terminal that is gone, and then there is nobody to tell.
-        let _ = disable_raw_mode();
+        let _ = modes::back();
         let _ = tty::write_all(LEAVE);
     }
 }
@@ -30,10 +29,45 @@ pub(crate) fn restore() {
 /// Takes the terminal, also when it was taken before: after a stop from outside its modes are unknown.
 pub(super) fn take() -> io::Result<()> {
     if TAKEN.swap(true, Ordering::SeqCst) {
-        disable_raw_mode()?;
+        modes::back()?;
     }
-    enable_raw_mode()?;
+    modes::raw()?;
     tty::write_all(ENTER)
+}
+
+/// Line editing, echo and signals from keys, switched off and back on.
+#[cfg(unix)]
+mod modes {
+    use rustix::termios::{OptionalActions, Termios, tcgetattr, tcsetattr};
+    use std::io;
+    use std::sync::{Mutex, PoisonError};
+
+    /// The modes as they were found.
+    static FOUND: Mutex<Option<Termios>> = Mutex::new(None);
+
+    pub(super) fn raw() -> io::Result<()> {
+        let terminal = rustix::stdio::stdin();
+        let mut found = FOUND.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = tcgetattr(terminal)?;
+        let mut raw = before.clone();
+        raw.make_raw();
+        tcsetattr(terminal, OptionalActions::Now, &raw)?;
+        found.get_or_insert(before);
+        Ok(())
+    }
+
+    pub(super) fn back() -> io::Result<()> {
+        let mut found = FOUND.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(before) = found.take() {
+            tcsetattr(rustix::stdio::stdin(), OptionalActions::Now, &before)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(not(unix))]
+mod modes {
+    pub(super) use crossterm::terminal::{disable_raw_mode as back, enable_raw_mode as raw};
 }
 
 /// Restores the terminal when it goes out of scope.

@@ -1,30 +1,35 @@
 //! The terminal: what it can show, its keys and signals, painting, and the loop that gives messages to
 //! the program's state and carries out the effects it asks for.
 //!
-//! One channel, one receiver. The threads `input`, `signals` and `hangup` and any worker send to it; the
-//! main thread waits on it and does nothing else, so a terminal that is gone cannot hold it up:
+//! One channel, one receiver. The threads `input` and `signals` and any worker send to it; the main
+//! thread waits on it and does nothing else, so a terminal that is gone cannot hold it up:
 //!
 //! ```text
-//! keys    -> input   --+
-//! signals -> signals --+--> channel --> update --> effects --> Host (files)
-//! hang-up -> hangup  --+                  |
-//! worker  -> workshop -+                draw --> Painter --> one write of what changed
+//! bytes   -> decoder -> bursts -> input --+
+//! signals, new size  -> signals ----------+--> channel --> update --> effects --> Host (files)
+//! worker             -> workshop ---------+                  |
+//!                                                          draw --> Painter --> one write of what
+//!                                                                                changed, cursor last
 //! ```
 //!
 //! Drawing happens only when the state says it changed, and writes only the cells that differ: when
 //! nothing differs, nothing is sent.
 
+#[cfg(unix)]
+mod bursts;
 pub mod capabilities;
 mod cells;
 mod clipboard;
+#[cfg(unix)]
+mod decoder;
 mod error;
 mod events;
 mod exports;
 mod files;
 mod found;
 mod guard;
-mod hangup;
 mod input;
+#[cfg(not(unix))]
 mod keys;
 mod painter;
 mod panic;

@@ -62,11 +62,16 @@ impl Rescue {
     }
 
     /// The loop has ended in good order; nothing is left to rescue.
+    pub(super) fn settle(&self) {
+        self.note(None);
+    }
+
+    /// The terminal has been given back as well.
     pub(super) fn end(&self) {
         self.over.store(true, Ordering::SeqCst);
     }
 
-    /// Whether the loop has ended.
+    /// Whether the loop has ended and the terminal has been given back.
     pub(super) fn is_over(&self) -> bool {
         self.over.load(Ordering::SeqCst)
     }

@@ -11,7 +11,7 @@ use super::rescue::Rescue;
 use super::run::{Ending, Loop, Stage};
 use super::signals::suspend;
 use super::workshop::Workshop;
-use super::{hangup, input, signals, tty};
+use super::{input, signals, tty};
 use std::io::{self, IsTerminal};
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
@@ -78,7 +78,6 @@ impl Session {
         signals::start(mail.clone(), Arc::clone(&rescue)).map_err(TermError::Setup)?;
         let hook = Hook::install(mail.clone(), Arc::clone(&rescue));
         let guard = Guard::take().map_err(TermError::Setup)?;
-        hangup::start(mail.clone()).map_err(TermError::Setup)?;
         input::start(mail.clone()).map_err(TermError::Setup)?;
         let (ending, _meter) = Loop {
             program,
@@ -97,8 +96,10 @@ impl Session {
             ending: None,
         }
         .run();
-        rescue.end();
+        // A signal from here on must not end the process before the terminal is given back.
+        rescue.settle();
         drop(guard);
+        rescue.end();
         drop(hook);
         Ok(ending)
     }

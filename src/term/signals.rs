@@ -2,35 +2,32 @@
 
 use super::events::Mail;
 use super::rescue::Rescue;
+#[cfg(unix)]
+use crate::app::message::Message;
 use std::io;
 use std::sync::Arc;
 
 /// Starts the thread.
 #[cfg(unix)]
 pub(super) fn start(mail: Mail, rescue: Arc<Rescue>) -> io::Result<()> {
-    use super::events::Event;
-    use crate::app::message::Message;
-    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
     use signal_hook::iterator::Signals;
     use std::thread;
 
-    let mut signals = Signals::new([SIGHUP, SIGTERM, SIGINT, SIGQUIT, SIGTSTP, SIGCONT])?;
+    let mut signals = Signals::new(heard::all())?;
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
         let mut ending = false;
         for signal in signals.forever() {
-            match signal {
-                SIGTSTP if suspend::is_own() => {}
-                SIGTSTP => {
-                    mail.event(Event::Stop);
+            match heard::meaning(signal) {
+                heard::Meaning::Tell(event) => {
+                    event.into_iter().for_each(|event| {
+                        mail.event(event);
+                    });
                 }
-                SIGCONT => {
-                    mail.event(Event::Continue);
-                }
-                // The loop is over and the process is about to end; it may do so at once.
-                signal if rescue.is_over() => {
+                // The process is about to end, and all is in order; it may do so at once.
+                heard::Meaning::End if rescue.is_over() => {
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
                 }
-                _ => {
+                heard::Meaning::End => {
                     mail.send(Message::HangUp);
                     if !ending {
                         ending = true;
@@ -41,6 +38,66 @@ pub(super) fn start(mail: Mail, rescue: Arc<Rescue>) -> io::Result<()> {
         }
     })?;
     Ok(())
+}
+
+/// Signals that are heard, and what they mean here.
+#[cfg(unix)]
+mod heard {
+    use super::super::events::Event;
+    use super::super::tty;
+    use super::suspend;
+    use crate::app::message::Message;
+    use signal_hook::consts::*;
+
+    /// Signals that end a process which does not hear them, but for those that only a fault of the
+    /// process itself brings. None may leave the terminal raw or lose edits.
+    const ENDING: &[i32] = &[
+        SIGHUP, SIGTERM, SIGINT, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGPROF, SIGVTALRM, SIGXCPU,
+        SIGIO,
+    ];
+    /// Failing power, which Linux alone tells.
+    #[cfg(target_os = "linux")]
+    const ENDING_HERE: &[i32] = &[libc::SIGPWR];
+    #[cfg(not(target_os = "linux"))]
+    const ENDING_HERE: &[i32] = &[];
+
+    pub(super) enum Meaning {
+        /// Something to tell the loop, if anything.
+        Tell(Option<Event>),
+        /// The program is to end.
+        End,
+    }
+
+    pub(super) fn all() -> Vec<i32> {
+        // A file that grows too large is an error of that write, and told as one.
+        let telling = [SIGTSTP, SIGCONT, SIGWINCH, SIGXFSZ];
+        let mut all = [ENDING, ENDING_HERE, &telling].concat();
+        all.extend(real_time());
+        all
+    }
+
+    /// Signals without a meaning of their own; they end a process like the others.
+    #[cfg(target_os = "linux")]
+    fn real_time() -> impl Iterator<Item = i32> {
+        libc::SIGRTMIN()..=libc::SIGRTMAX()
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    fn real_time() -> impl Iterator<Item = i32> {
+        std::iter::empty()
+    }
+
+    pub(super) fn meaning(signal: i32) -> Meaning {
+        Meaning::Tell(match signal {
+            SIGTSTP if suspend::is_own() => None,
+            SIGTSTP => Some(Event::Stop),
+            SIGCONT => Some(Event::Continue),
+            SIGWINCH => tty::known_size()
+                .map(|(width, height)| Event::Message(Message::Resize { width, height })),
+            SIGXFSZ => None,
+            _ => return Meaning::End,
+        })
+    }
 }
 
 /// No signals here.

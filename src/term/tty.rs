@@ -8,15 +8,16 @@ const DEFAULT_SIZE: (u16, u16) = (80, 24);
 
 /// Columns and rows.
 pub(super) fn size() -> (u16, u16) {
-    match raw_size() {
-        Some((width, height)) if width > 0 && height > 0 => (width, height),
-        _ => DEFAULT_SIZE,
-    }
+    known_size().unwrap_or(DEFAULT_SIZE)
+}
+
+/// Columns and rows if the terminal tells them.
+pub(super) fn known_size() -> Option<(u16, u16)> {
+    raw_size().filter(|(width, height)| *width > 0 && *height > 0)
 }
 
 #[cfg(unix)]
 fn raw_size() -> Option<(u16, u16)> {
-    // Not crossterm's: that one starts `tput` when the terminal is gone.
     rustix::termios::tcgetwinsize(rustix::stdio::stdout()).ok().map(|s| (s.ws_col, s.ws_row))
 }
 

@@ -1,0 +1,93 @@
+//! Pastes: they go into the field that is open, and never act as keys.
+//!
+//! On the main screen and the pages of studies a pasted number begins an entry, as its first digit would
+//! if it were typed. Anything else that is pasted where no text is taken is refused with a word.
+
+use super::key::{Code, Key};
+use super::message::Command;
+use super::{App, Mode};
+
+/// What is said of a paste that has no place to go.
+const NO_PLACE: &str = "nothing was pasted: no field is open (Enter, n and : open one)";
+
+impl App {
+    /// Text of a marked paste.
+    pub(super) fn paste(&mut self, text: &str) {
+        self.status = None;
+        if self.paste_into_field(text) {
+            return;
+        }
+        let text = text.trim();
+        let first = text.chars().next();
+        if let Some(first) = first.filter(|c| begins_number(*c) && !text.contains(['\r', '\n'])) {
+            // As a page of a study may not take it, what opens is asked for afterwards.
+            self.key(Key::char(first));
+            if self.paste_into_field(&text[first.len_utf8()..]) {
+                return;
+            }
+        }
+        self.complain(NO_PLACE);
+    }
+
+    /// Puts text into the field that is open; `false` when there is none.
+    fn paste_into_field(&mut self, text: &str) -> bool {
+        match &mut self.mode {
+            Mode::Entry(entry) => entry.paste(text),
+            Mode::Open(picker) => picker.paste(text),
+            _ => return false,
+        }
+        true
+    }
+
+    /// A paste that came as keys. A single line is typed text if it begins in a field or opens one, and
+    /// so are lines that are commands all of them: their Enter is meant. Several lines in a field become
+    /// one, as in a marked paste. The rest would be keys by chance, and is refused.
+    pub(super) fn burst(&mut self, keys: &[Key]) -> Vec<Command> {
+        let text: String = keys.iter().map(|key| character(*key)).collect();
+        let body = text.trim_end_matches('\r');
+        let single = !body.contains('\r') && text.len() - body.len() <= 1;
+        let in_field = matches!(self.mode, Mode::Entry(_) | Mode::Open(_));
+        let commands = body.split('\r').all(|line| line.starts_with(':'));
+        let opens = text.starts_with(|c| c == ':' || begins_number(c));
+        if in_field && !single {
+            self.paste(&text);
+            return Vec::new();
+        }
+        if in_field || commands || (opens && single) {
+            return self.type_in(keys);
+        }
+        self.status = None;
+        let count = keys.len();
+        self.complain(format!(
+            "{count} keys at once, as of a paste: no field is open, nothing done"
+        ));
+        Vec::new()
+    }
+
+    /// Types keys as long as there is a field for them, or they open one.
+    fn type_in(&mut self, keys: &[Key]) -> Vec<Command> {
+        let mut effects = Vec::new();
+        for key in keys {
+            let opens = begins_number(character(*key)) || *key == Key::char(':');
+            if !opens && !matches!(self.mode, Mode::Entry(_) | Mode::Open(_)) {
+                break;
+            }
+            effects.extend(self.key(*key));
+        }
+        effects
+    }
+}
+
+/// A digit or sign with which a value begins.
+fn begins_number(c: char) -> bool {
+    c.is_ascii_digit() || matches!(c, '.' | '-')
+}
+
+/// The character that a key stands for in a text.
+fn character(key: Key) -> char {
+    match key.code {
+        Code::Char(c) => c,
+        Code::Tab => '\t',
+        _ => '\r',
+    }
+}
