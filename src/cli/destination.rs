@@ -2,6 +2,7 @@
 
 use super::output::{CommandEnd, Fault, Output};
 use crate::export::form::Form;
+use crate::project::home::typed_path;
 use crate::project::{Overwrite, SaveError, same_file, write_file};
 use clap::Args;
 use std::io::ErrorKind;
@@ -25,16 +26,17 @@ impl Destination {
     /// The ending says a form that is not among them, or the file is the one that is read.
     pub(crate) fn form(&self, among: &[Form], source: &Path) -> Result<Option<Form>, Fault> {
         self.check_source(source)?;
-        Form::of_path(self.path(), among).map_err(|said| Fault::input(format!("--output: {said}")))
+        Form::of_path(self.path().as_deref(), among).map_err(|said| Fault::input(format!("--output: {said}")))
     }
 
-    fn path(&self) -> Option<&Path> {
-        self.file.as_deref().filter(|path| *path != Path::new("-"))
+    /// The file; a shell leaves a quoted `~` alone.
+    fn path(&self) -> Option<PathBuf> {
+        self.file.as_deref().filter(|path| *path != Path::new("-")).map(typed_path)
     }
 
     fn check_source(&self, source: &Path) -> Result<(), Fault> {
         match self.path() {
-            Some(path) if same_file(path, source) => Err(Fault::input(format!(
+            Some(path) if same_file(&path, source) => Err(Fault::input(format!(
                 "{} is the project itself, which is never overwritten; choose another name",
                 path.display()
             ))),
@@ -52,7 +54,7 @@ impl Destination {
         };
         self.check_source(source)?;
         let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
-        write_file(path, &text, overwrite).map_err(fault)?;
+        write_file(&path, &text, overwrite).map_err(fault)?;
         Ok(Output { result: format!("{}\n", path.display()), notes, ..Output::default() })
     }
 }

@@ -11,7 +11,7 @@ use super::save::write_atomically;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Environment variable that names one directory for data and settings in place of the system's own.
 pub(crate) const DATA_DIR_VARIABLE: &str = "MESHCAST_DATA_DIR";
@@ -158,6 +158,18 @@ impl Home {
         let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
         text.and_then(|text| ron::from_str(&text).ok()).unwrap_or_default()
     }
+}
+
+/// A path as it was typed: `~` at its beginning is the home directory, as a shell would have it. Where
+/// there is none, and for `~name`, the path stays.
+pub(crate) fn typed_path(path: &Path) -> PathBuf {
+    let mut parts = path.components();
+    if parts.next() == Some(Component::Normal("~".as_ref()))
+        && let Some(dirs) = directories::BaseDirs::new()
+    {
+        return dirs.home_dir().join(parts.as_path());
+    }
+    path.to_path_buf()
 }
 
 /// The sample in no file.

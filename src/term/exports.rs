@@ -3,6 +3,7 @@
 use crate::app::message::Exported;
 use crate::export::form::Form;
 use crate::export::{ExportKind, ReportSource};
+use crate::project::home::typed_path;
 use crate::project::{Document, Overwrite, Project, SaveError, same_file, write_file};
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -46,6 +47,7 @@ pub(super) fn write(document: &Document, wanted: ExportWanted<'_>) -> Result<Exp
         .map_err(|found| found.iter().map(|p| p.to_string()).collect::<Vec<_>>().join("; "))?;
     let note = wanted.edited.then(|| "edits are not saved yet".to_string());
     if let Some(path) = wanted.path {
+        let path = &typed_path(path);
         if document.path().is_some_and(|own| same_file(own, path)) {
             return Err("that is the project itself, which is never overwritten".into());
         }

@@ -5,6 +5,7 @@ use super::found;
 use super::program::Host;
 use crate::app::message::{Exported, FoundProject, OpenFailure, OpenedProject, SaveFailure, Saved};
 use crate::app::settings::Settings;
+use crate::project::home::typed_path;
 use crate::project::{self, Document, Home, Opened, Overwrite, Project, SaveError, SaveReport};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -45,7 +46,7 @@ impl Host for FileHost {
         let mut document = Document::clone(&before);
         let overwrite = if overwrite { Overwrite::Yes } else { Overwrite::No };
         let result = match path {
-            Some(path) => document.save_as(path, project, overwrite),
+            Some(path) => document.save_as(&typed_path(path), project, overwrite),
             None => document.save(project, overwrite),
         };
         let report = result.map_err(|error| failure(&error, path))?;
@@ -77,6 +78,7 @@ impl Host for FileHost {
     }
 
     fn open(&self, path: &Path) -> Result<OpenedProject, OpenFailure> {
+        let path = &typed_path(path);
         let opened = project::load(path).map_err(|e| OpenFailure { message: e.to_string() })?;
         let Opened { document, project } = opened;
         self.document().discard_recovery(&self.home);
