@@ -26,7 +26,8 @@ impl Destination {
     /// The ending says a form that is not among them, or the file is the one that is read.
     pub(crate) fn form(&self, among: &[Form], source: &Path) -> Result<Option<Form>, Fault> {
         self.check_source(source)?;
-        Form::of_path(self.path().as_deref(), among).map_err(|said| Fault::input(format!("--output: {said}")))
+        Form::of_path(self.path().as_deref(), among)
+            .map_err(|said| Fault::input(format!("--output: {said}")))
     }
 
     /// The file; a shell leaves a quoted `~` alone.

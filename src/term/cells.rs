@@ -44,10 +44,15 @@ impl Shown<'_> {
         }
     }
 
-    /// Whether every terminal agrees how far the cursor moves: not after wide or combined characters.
+    /// Whether every terminal agrees how far the cursor moves: not after wide or combined characters,
+    /// nor after pictures, which some draw wide.
     pub(super) fn is_plain(&self) -> bool {
         match self {
-            Shown::Head { text, width, .. } => *width == 1 && text.chars().nth(1).is_none(),
+            Shown::Head { text, width, .. } => {
+                let mut chars = text.chars();
+                let first = chars.next().unwrap_or(' ');
+                *width == 1 && chars.next().is_none() && !is_picture(first)
+            }
             Shown::Tail => false,
         }
     }
@@ -94,6 +99,7 @@ fn printable(cell: &Cell, room: usize, charset: Charset) -> (&str, u16) {
     if charset == Charset::Ascii && !text.is_ascii() {
         return ("?", 1);
     }
+    let text = agreed(text);
     match text.width() {
         0 => (" ", 1),
         1 => (text, 1),
@@ -101,6 +107,26 @@ fn printable(cell: &Cell, room: usize, charset: Charset) -> (&str, u16) {
         // Too wide for the row, or for any cell.
         _ => (" ", 1),
     }
+}
+
+/// Signs that are drawn as pictures in two columns by some terminals: dingbats, emoji, flags.
+fn is_picture(c: char) -> bool {
+    matches!(c, '\u{2600}'..='\u{27bf}' | '\u{2b00}'..='\u{2bff}' | '\u{1f000}'..)
+}
+
+/// The part of a character with marks that all terminals know the width of. About what asks for another
+/// look of the same sign they disagree: variation selectors, skin tones, tags, and signs joined to one
+/// picture. Without it the sign itself is left. Letters keep their joiners, which spell words.
+fn agreed(text: &str) -> &str {
+    let letter = text.chars().next().is_some_and(char::is_alphabetic);
+    let doubtful = |c: char| match c {
+        '\u{fe00}'..='\u{fe0f}' => true,
+        '\u{200d}' | '\u{1f1e6}'..='\u{1f1ff}' | '\u{1f3fb}'..='\u{1f3ff}' => !letter,
+        '\u{e0000}'..='\u{e01ef}' => true,
+        _ => false,
+    };
+    let end = text.char_indices().skip(1).find(|(_, c)| doubtful(*c));
+    end.map_or(text, |(at, _)| &text[..at])
 }
 
 #[cfg(test)]
@@ -133,6 +159,23 @@ mod tests {
     fn wide_characters_cover_the_next_cell_and_do_not_leave_the_row() {
         assert_eq!(texts(&["網", "x", "b"], Charset::Utf8), ["網", "<", "b"]);
         assert_eq!(texts(&["a", "網"], Charset::Utf8), ["a", " "]);
+    }
+
+    #[test]
+    fn of_a_picture_the_part_is_left_whose_width_is_certain() {
+        for (text, shown) in [
+            ("🏔\u{fe0f}", "🏔"),
+            ("♻\u{fe0f}", "♻"),
+            ("1\u{fe0f}\u{20e3}", "1"),
+            ("👨\u{200d}👩\u{200d}👧", "👨"),
+            ("👍\u{1f3fd}", "👍"),
+            ("🇮\u{1f1f9}", "🇮"),
+            ("é", "é"),
+            ("e\u{301}", "e\u{301}"),
+            ("क\u{94d}\u{200d}", "क\u{94d}\u{200d}"),
+        ] {
+            assert_eq!(texts(&[text, ""], Charset::Utf8)[0], shown);
+        }
     }
 
     #[test]

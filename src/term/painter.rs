@@ -5,13 +5,17 @@ use super::pen::Pen;
 use super::travel::{Cursor, skip_cost, travel};
 use crate::app::look::ColorMode;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use std::mem;
 
 /// Attributes off, cursor home, everything cleared.
 const CLEAR: &[u8] = b"\x1b[0m\x1b[H\x1b[2J";
 /// Clears from the cursor to the end of the row.
 const CLEAR_TAIL: &[u8] = b"\x1b[K";
+/// Shows the cursor.
+const SHOW: &[u8] = b"\x1b[?25h";
+/// Hides the cursor.
+const HIDE: &[u8] = b"\x1b[?25l";
 /// Fewer changed cells than this are not worth a [`CLEAR_TAIL`].
 const SHORT_TAIL: usize = 4;
 
@@ -37,12 +41,14 @@ pub struct Painter {
     next: Buffer,
     pen: Pen,
     cursor: Option<Cursor>,
+    /// Whether the terminal shows its cursor, as far as is known.
+    visible: Option<bool>,
     out: Vec<u8>,
     meter: Meter,
 }
 
 impl Painter {
-    /// Knows nothing of the terminal yet: the first frame clears it.
+    /// Knows nothing of the terminal yet but that its cursor is hidden: the first frame clears it.
     pub fn new(charset: Charset) -> Painter {
         Painter {
             charset,
@@ -51,6 +57,7 @@ impl Painter {
             next: Buffer::empty(Rect::ZERO),
             pen: Pen::PLAIN,
             cursor: None,
+            visible: Some(false),
             out: Vec::new(),
             meter: Meter::default(),
         }
@@ -59,15 +66,17 @@ impl Painter {
     /// Trusts nothing that was sent before: the next frame clears the terminal and draws all of it.
     pub(crate) fn forget(&mut self) {
         self.shown = None;
+        self.visible = None;
     }
 
     /// Draws a screen of this size into an empty buffer and returns the bytes to send: none when the
-    /// terminal shows just that. A new size or colour mode draws all of it.
+    /// terminal shows just that. A new size or colour mode draws all of it. Drawing says where the
+    /// cursor is to stand when all is done, if it is to be seen.
     pub fn paint(
         &mut self,
         (width, height): (u16, u16),
         color: ColorMode,
-        draw: impl FnOnce(&mut Buffer),
+        draw: impl FnOnce(&mut Buffer) -> Option<Position>,
     ) -> &[u8] {
         let area = Rect::new(0, 0, width, height);
         if mem::replace(&mut self.color, color) != color
@@ -77,7 +86,7 @@ impl Painter {
         }
         self.next.resize(area);
         self.next.reset();
-        draw(&mut self.next);
+        let place = draw(&mut self.next).filter(|place| area.contains(*place));
 
         self.out.clear();
         let mut shown = match self.shown.take() {
@@ -90,6 +99,7 @@ impl Painter {
             }
         };
         self.send_difference(&shown);
+        self.rest(place);
         mem::swap(&mut shown, &mut self.next);
         self.shown = Some(shown);
 
@@ -117,17 +127,36 @@ impl Painter {
         self.next = next;
     }
 
+    /// Leaves the cursor where it is wanted.
+    fn rest(&mut self, place: Option<Position>) {
+        if let Some(place) = place {
+            self.go(place.y, place.x, &[]);
+        }
+        if self.visible != Some(place.is_some()) {
+            self.visible = Some(place.is_some());
+            self.out.extend_from_slice(if place.is_some() { SHOW } else { HIDE });
+        }
+    }
+
     fn send_row(&mut self, y: u16, before: &[Shown<'_>], after: &[Shown<'_>]) {
         let tail = tail_to_clear(before, after);
         let mut x = 0;
+        // The cell after a character that some terminal draws wider than others.
+        let mut doubtful = None;
         for (column, (old, new)) in before.iter().zip(after).enumerate().take(tail) {
             if let Shown::Head { text, pen, .. } = new
-                && old != new
+                && (old != new || doubtful == Some(column))
             {
                 self.go(y, column as u16, after);
+                if new.width() > 1 {
+                    self.blank(y, column as u16, new, after.len());
+                }
                 self.write(text, *pen);
                 x = column as u16 + new.width();
                 self.advance(y, x, new, after.len());
+                if !new.is_plain() {
+                    doubtful = Some(usize::from(x));
+                }
             }
         }
         if tail < after.len() {
@@ -135,6 +164,17 @@ impl Painter {
             self.set_pen(self.pen.stretch_to_blank(Pen::PLAIN));
             self.out.extend_from_slice(CLEAR_TAIL);
         }
+    }
+
+    /// Clears the cells of a wide character before it is drawn: a terminal that draws it narrow would
+    /// leave what was in the second.
+    fn blank(&mut self, y: u16, x: u16, wide: &Shown<'_>, width: usize) {
+        let Shown::Head { pen, .. } = wide else { return };
+        for column in x..x + wide.width() {
+            self.write(" ", pen.for_blank());
+            self.advance(y, column + 1, &Shown::BLANK, width);
+        }
+        self.go(y, x, &[]);
     }
 
     /// Where the cursor is after a character whose next column is `x`.

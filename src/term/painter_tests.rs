@@ -145,6 +145,12 @@ fn screens() -> impl Strategy<Value = Vec<Vec<Stroke>>> {
     prop::collection::vec(prop::collection::vec(stroke(), 0..14), 1..7)
 }
 
+/// A screen without a cursor.
+fn copy(next: &mut Buffer, buffer: &Buffer) -> Option<Position> {
+    next.clone_from(buffer);
+    None
+}
+
 /// Paints each screen on top of the one before or on an empty one, and checks the emulator each time.
 fn replay(screens: &[Vec<Stroke>], mode: ColorMode, on_top: bool) {
     let mut painter = Painter::new(Charset::Utf8);
@@ -164,13 +170,13 @@ fn replay(screens: &[Vec<Stroke>], mode: ColorMode, on_top: bool) {
                 cell.modifier.remove(Modifier::DIM);
             }
         }
-        let bytes = painter.paint((WIDTH, HEIGHT), mode, |next| next.clone_from(&buffer));
+        let bytes = painter.paint((WIDTH, HEIGHT), mode, |next| copy(next, &buffer));
         if mode == ColorMode::None {
             assert!(!has_color(bytes), "{}", String::from_utf8_lossy(bytes).escape_debug());
         }
         emulator.process(bytes);
         assert_shown(&emulator, &buffer, mode);
-        let again = painter.paint((WIDTH, HEIGHT), mode, |next| next.clone_from(&buffer));
+        let again = painter.paint((WIDTH, HEIGHT), mode, |next| copy(next, &buffer));
         assert!(again.is_empty());
     }
 }
@@ -200,6 +206,10 @@ proptest! {
 }
 
 fn paint(painter: &mut Painter, draw: impl FnOnce(&mut Buffer)) -> String {
+    let draw = |buffer: &mut Buffer| {
+        draw(buffer);
+        None
+    };
     let bytes = painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, draw);
     String::from_utf8(bytes.to_vec()).unwrap()
 }
@@ -238,22 +248,28 @@ fn a_clear_leaves_no_colour_behind() {
     let mut emulator = terminal(WIDTH, HEIGHT);
     let mut buffer = Buffer::empty(Rect::new(0, 0, WIDTH, HEIGHT));
     buffer.set_string(0, 0, "xxxxxxxxxxxxxxxx", Style::new().on_red().reversed());
-    emulator.process(painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, |b| b.clone_from(&buffer)));
+    emulator
+        .process(painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, |next| copy(next, &buffer)));
     buffer.reset();
     buffer.set_string(0, 0, "x", Style::new().on_blue());
-    emulator.process(painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, |b| b.clone_from(&buffer)));
+    emulator
+        .process(painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, |next| copy(next, &buffer)));
     assert_shown(&emulator, &buffer, ColorMode::Basic16);
 }
 
 #[test]
 fn a_new_size_or_colour_mode_draws_all_of_it() {
     let mut painter = Painter::new(Charset::Utf8);
-    let draw = |buffer: &mut Buffer| buffer.set_string(0, 0, "x", Style::new().red());
+    let draw = |buffer: &mut Buffer| {
+        buffer.set_string(0, 0, "x", Style::new().red());
+        None
+    };
     painter.paint((10, 2), ColorMode::Basic16, draw);
     assert_eq!(painter.paint((12, 2), ColorMode::Basic16, draw), b"\x1b[0m\x1b[H\x1b[2J\x1b[31mx");
     assert_eq!(painter.paint((12, 2), ColorMode::None, draw), b"\x1b[0m\x1b[H\x1b[2Jx");
     painter.forget();
-    assert_eq!(painter.paint((12, 2), ColorMode::None, draw), b"\x1b[0m\x1b[H\x1b[2Jx");
+    let again = painter.paint((12, 2), ColorMode::None, draw);
+    assert_eq!(again, b"\x1b[0m\x1b[H\x1b[2Jx\x1b[?25l");
     assert_eq!(painter.paint((12, 2), ColorMode::None, draw), b"");
 }
 
@@ -265,6 +281,7 @@ fn odd_sizes_do_no_harm() {
             buffer.content.iter_mut().for_each(|cell| {
                 cell.set_symbol("網");
             });
+            Some(Position::new(5, 5))
         });
     }
 }
@@ -275,6 +292,7 @@ fn a_buffer_of_another_size_does_no_harm() {
     for area in [Rect::new(0, 0, 3, 2), Rect::new(0, 0, 40, 9), Rect::new(5, 5, 4, 4)] {
         painter.paint((10, 4), ColorMode::Basic16, |buffer| {
             *buffer = Buffer::filled(area, ratatui::buffer::Cell::new("x"));
+            Some(Position::new(9, 3))
         });
     }
 }
@@ -284,7 +302,56 @@ fn a_terminal_without_utf8_gets_ascii() {
     let mut painter = Painter::new(Charset::Ascii);
     let bytes = painter.paint((10, 2), ColorMode::Basic16, |buffer| {
         buffer.set_string(0, 0, "Hütte 網 ⣿", Style::new());
+        None
     });
     assert!(bytes.is_ascii());
     assert!(bytes.ends_with(b"H?tte ?  ?"), "{}", String::from_utf8_lossy(bytes));
+}
+
+/// The bytes of a frame with the cursor somewhere, or nowhere.
+fn paint_with(painter: &mut Painter, text: &str, place: Option<(u16, u16)>) -> String {
+    let bytes = painter.paint((WIDTH, HEIGHT), ColorMode::Basic16, |buffer| {
+        buffer.set_string(0, 0, text, Style::new());
+        place.map(Position::from)
+    });
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn the_cursor_rests_where_it_is_wanted_and_moves_at_the_price_of_a_move() {
+    let mut painter = Painter::new(Charset::Utf8);
+    let first = paint_with(&mut painter, "abc", Some((1, 2)));
+    assert_eq!(first, "\x1b[0m\x1b[H\x1b[2Jabc\x1b[3;2H\x1b[?25h");
+    assert_eq!(paint_with(&mut painter, "abc", Some((1, 2))), "");
+    assert_eq!(paint_with(&mut painter, "abc", Some((1, 3))), "\x1b[B");
+    // A change elsewhere, and back.
+    assert_eq!(paint_with(&mut painter, "abd", Some((1, 3))), "\x1b[1;3Hd\x1b[4;2H");
+    assert_eq!(paint_with(&mut painter, "abd", None), "\x1b[?25l");
+    // Beyond the screen is nowhere.
+    assert_eq!(paint_with(&mut painter, "abd", Some((WIDTH, 0))), "");
+}
+
+#[test]
+fn after_the_terminal_was_taken_anew_the_cursor_is_shown_again() {
+    let mut painter = Painter::new(Charset::Utf8);
+    paint_with(&mut painter, "abc", Some((1, 2)));
+    painter.forget();
+    assert!(paint_with(&mut painter, "abc", Some((1, 2))).ends_with("\x1b[?25h"));
+}
+
+/// Terminals that draw a picture in one column and those that draw it in two: neither keeps anything
+/// of the screen before.
+#[test]
+fn around_a_picture_nothing_is_left_of_the_former_screen() {
+    for picture in ["🏔\u{fe0f}", "♻\u{fe0f}", "👍", "🇮🇹", "👨\u{200d}👩\u{200d}👧"]
+    {
+        let mut painter = Painter::new(Charset::Utf8);
+        paint_with(&mut painter, "bench valley road", None);
+        let sent = paint_with(&mut painter, &format!("bench {picture}ley road"), None);
+        // Both cells are written, the second one as a blank or with what follows.
+        let base = picture.chars().next().unwrap();
+        let wide = unicode_width::UnicodeWidthChar::width(base) == Some(2);
+        let wanted = if wide { format!("  \u{8}\u{8}{base}") } else { format!("{base}\x1b[1;8H ") };
+        assert!(sent.contains(&wanted), "{}", sent.escape_debug());
+    }
 }

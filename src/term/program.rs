@@ -8,6 +8,7 @@ use crate::app::message::{
 use crate::app::settings::Settings;
 use crate::project::Project;
 use ratatui::buffer::Buffer;
+use ratatui::layout::Position;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -16,8 +17,9 @@ pub trait Program {
     /// Takes a message in; what it returns is carried out in this order.
     fn update(&mut self, message: Message) -> Vec<Command>;
 
-    /// Draws the whole screen into an empty buffer of the terminal's size.
-    fn draw(&self, buffer: &mut Buffer);
+    /// Draws the whole screen into an empty buffer of the terminal's size. Returns where the cursor is to
+    /// stand; without a place it is hidden.
+    fn draw(&self, buffer: &mut Buffer) -> Option<Position>;
 
     /// Whether anything shown has changed since the last call. A `true` too many costs time but no
     /// bytes; a `false` too many leaves an old screen.

@@ -8,6 +8,7 @@ use crate::app::look::Look;
 use crate::app::message::{OpenFailure, OpenedProject, SaveFailure, Saved};
 use crate::project::Project;
 use ratatui::buffer::Buffer;
+use ratatui::layout::Position;
 use ratatui::style::Style;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -139,8 +140,9 @@ impl Program for NotedProgram {
         Vec::new()
     }
 
-    fn draw(&self, buffer: &mut Buffer) {
+    fn draw(&self, buffer: &mut Buffer) -> Option<Position> {
         buffer.set_string(0, 0, self.count.to_string(), Style::new());
+        None
     }
 
     fn take_dirty(&mut self) -> bool {

@@ -7,6 +7,7 @@ use crate::app::message::{Command, Message};
 use crate::project::Project;
 use crate::ui;
 use ratatui::buffer::Buffer;
+use ratatui::layout::Position;
 use std::sync::Arc;
 
 impl Program for App {
@@ -14,8 +15,8 @@ impl Program for App {
         App::update(self, message)
     }
 
-    fn draw(&self, buffer: &mut Buffer) {
-        ui::draw(self, buffer);
+    fn draw(&self, buffer: &mut Buffer) -> Option<Position> {
+        ui::draw(self, buffer)
     }
 
     fn take_dirty(&mut self) -> bool {

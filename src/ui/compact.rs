@@ -5,10 +5,10 @@ use super::theme::Theme;
 use super::{answer, chart, inputs};
 use crate::app::App;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
-/// Draws everything between title and bottom line.
-pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws everything between title and bottom line. Returns the place of the selected input.
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let count = app.project().layouts.len();
     let text = format!(" {} ({}/{count})", cut(&app.layout().name, 26), app.selected() + 1);
     put(buf, area, 0, 0, &text, theme.selected);
@@ -17,7 +17,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     if rest.width >= 64 {
         let left = Rect { width: 27, ..rest };
         let right = Rect { x: rest.x + 28, width: rest.width - 28, ..rest };
-        inputs::draw(app, Rect { height: rest.height.min(11), ..left }, buf, theme);
+        let list = Rect { height: rest.height.min(11), ..left };
+        let place = inputs::draw(app, list, buf, theme);
         let answer_rows = 5.min(rest.height);
         let charted = right.height > answer_rows + 7;
         let answer_area = if charted { Rect { height: answer_rows, ..right } } else { right };
@@ -27,11 +28,11 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
             heading(buf, area, &chart::caption(app), "", theme);
             chart::draw(app, under(area, 1), buf, theme);
         }
-        return;
+        return place;
     }
     // No headings: every row counts.
     let rows = rest.height.saturating_sub(3).min(10);
-    inputs::draw_rows(app, Rect { height: rows, ..rest }, buf, theme);
+    let place = inputs::draw_rows(app, Rect { height: rows, ..rest }, buf, theme);
     let below = under(rest, rows);
     let charted = below.height > 14;
     let answer_area = if charted { Rect { height: 6, ..below } } else { below };
@@ -46,4 +47,5 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         heading(buf, area, &chart::caption(app), "", theme);
         chart::draw(app, under(area, 1), buf, theme);
     }
+    place
 }

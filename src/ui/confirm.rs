@@ -1,13 +1,19 @@
 //! The questions that stop the work for a moment.
 
-use super::text::{clear, heading, put};
+use super::text::{clear, heading, put, spot};
 use super::theme::Theme;
 use crate::app::keymap::{self, Context};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
-/// Draws a question with its keys in the middle of the area.
-pub(crate) fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws a question with its keys in the middle of the area. Returns where it begins; nothing where
+/// nothing is asked.
+pub(crate) fn draw(
+    context: Context,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     let question = match context {
         Context::ConfirmQuit => "There are edits that are not saved.",
         Context::ConfirmOverwrite => {
@@ -19,7 +25,7 @@ pub(crate) fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme
         Context::ConfirmRecovery => {
             "A session of this file was cut off and its unsaved edits were kept."
         }
-        _ => return,
+        _ => return None,
     };
     let width = area.width.min(60);
     let columns = usize::from(width.saturating_sub(4)).max(10);
@@ -41,4 +47,5 @@ pub(crate) fn draw(context: Context, area: Rect, buf: &mut Buffer, theme: &Theme
     }
     let last = height.saturating_sub(1);
     put(buf, place, last, 0, &theme.glyphs.rule().repeat(usize::from(width)), theme.heading);
+    spot(buf, place, 1, 2)
 }

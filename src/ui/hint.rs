@@ -8,7 +8,7 @@ use crate::app::entry::{EditTarget, LineEntry};
 use crate::app::keymap;
 use crate::app::{App, Level, Mode};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Draws the title: program, file with a star for unsaved edits, mesh.
 pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
@@ -27,8 +27,8 @@ pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     put_right(buf, row, 0, &right, theme.text);
 }
 
-/// Draws the bottom line.
-pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws the bottom line. Returns the place of the cursor where text is typed in it.
+pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     if let Mode::Entry(entry) = app.mode() {
         return prompt(app, entry, row, buf, theme);
     }
@@ -42,13 +42,14 @@ pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
             Level::Error => format!(" ! {}", status.text),
         };
         put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), style);
-        return;
+        return None;
     }
     if let Some(text) = check::progress(app) {
         put(buf, row, 0, 1, &cut(&text, usize::from(row.width) - 1), theme.check);
-        return;
+        return None;
     }
     hints(app, row, buf, theme);
+    None
 }
 
 /// As many hints of the key map as fit, the most important first.
@@ -68,7 +69,13 @@ fn hints(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// The line of text being typed, or for a value its range and what was wrong.
-fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &Theme) {
+fn prompt(
+    app: &App,
+    entry: &LineEntry,
+    row: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     if let Some(error) = &entry.error {
         // A refused command or name still shows its text: the reason stands before it.
         let text = format!(" ! {error} ");
@@ -77,11 +84,11 @@ fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &The
             _ => usize::from(row.width) * 2 / 3,
         };
         let end = put(buf, row, 0, 0, &cut(&text, room), theme.error);
-        if !matches!(entry.target, EditTarget::Value(_)) {
-            let rest = Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row };
-            typed_text(entry, rest, buf, theme);
+        if matches!(entry.target, EditTarget::Value(_)) {
+            return None;
         }
-        return;
+        let rest = Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row };
+        return typed_text(entry, rest, buf, theme);
     }
     match entry.target {
         EditTarget::Value(field) => {
@@ -91,6 +98,7 @@ fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &The
                 field.allowed_in(&app.layout().layout, app.units())
             );
             put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), theme.text);
+            None
         }
         target => {
             let prompt = match target {
@@ -103,7 +111,7 @@ fn prompt(app: &App, entry: &LineEntry, row: Rect, buf: &mut Buffer, theme: &The
                 Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row },
                 buf,
                 theme,
-            );
+            )
         }
     }
 }

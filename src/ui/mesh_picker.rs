@@ -1,18 +1,24 @@
 //! The list of meshes to choose from, with the record of the marked one.
 
 use super::layouts::first_shown;
-use super::text::{clear, cut, heading, put};
+use super::text::{clear, cut, heading, put, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::units::{force_text, length_text};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Rows of the record below the list.
 const RECORD: u16 = 8;
 
-/// Draws the list over the whole area.
-pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws the list over the whole area. Returns the place of the marked mesh.
+pub(crate) fn draw(
+    app: &App,
+    index: usize,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     clear(buf, area);
     let meshes = app.meshes();
     heading(buf, area, "mesh of this layout", &format!("{} of {}", index + 1, meshes.len()), theme);
@@ -35,7 +41,8 @@ pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme:
         let style = if i == index { theme.selected } else { theme.text };
         put(buf, list, row as u16, 0, &cut(&text, usize::from(list.width)), style);
     }
-    let Some(choice) = meshes.get(index) else { return };
+    let place = spot(buf, list, index.saturating_sub(first) as u16, 1);
+    let Some(choice) = meshes.get(index) else { return place };
     let below = Rect { y: list.bottom(), height: record, ..area };
     heading(buf, below, "its record", "", theme);
     let lab = &choice.mesh.laboratory;
@@ -66,4 +73,5 @@ pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme:
     for (row, line) in wrapped.take(usize::from(below.height.saturating_sub(1))).enumerate() {
         put(buf, below, 1 + row as u16, 2, &line, theme.text);
     }
+    place
 }

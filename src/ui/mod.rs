@@ -43,7 +43,7 @@ pub(crate) mod warnings;
 
 use crate::app::{App, Mode};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use text::{below, heading};
 use theme::Theme;
 
@@ -54,25 +54,26 @@ const FULL: (u16, u16) = (80, 24);
 /// Columns and rows from which more is shown.
 const LARGE: (u16, u16) = (110, 34);
 
-/// Draws the whole screen.
-pub fn draw(app: &App, buf: &mut Buffer) {
+/// Draws the whole screen. Returns the place of what is selected or typed, where the terminal's cursor
+/// has to stand: screen readers, braille lines and input methods follow it.
+pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
     let area = buf.area;
     let theme = Theme::new(app.look());
     let fits = |size: (u16, u16)| area.width >= size.0 && area.height >= size.1;
     if !fits(SMALLEST) {
         let line = format!("too small: q quits; {}x{} of 40x12", area.width, area.height);
         text::put(buf, area, 0, 0, &line, theme.text);
-        return;
+        return None;
     }
     let top = Rect { height: 1, ..area };
     let bottom = Rect { y: area.bottom() - 1, height: 1, ..area };
     let middle = Rect { y: area.y + 1, height: area.height - 2, ..area };
     hint::title(app, top, buf, &theme);
     if let Some(page) = app.page_open() {
-        studies::draw(app, page, middle, buf, &theme);
-        return hint::bottom(app, bottom, buf, &theme);
+        let place = studies::draw(app, page, middle, buf, &theme);
+        return hint::bottom(app, bottom, buf, &theme).or(place);
     }
-    match app.mode() {
+    let place = match app.mode() {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
         Mode::Export { index } => export::draw(app, *index, middle, buf, &theme),
@@ -80,22 +81,23 @@ pub fn draw(app: &App, buf: &mut Buffer) {
         Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
-            if fits(LARGE) {
-                large(app, middle, buf, &theme);
+            let behind = if fits(LARGE) {
+                large(app, middle, buf, &theme)
             } else if fits(FULL) {
-                full(app, middle, buf, &theme);
+                full(app, middle, buf, &theme)
             } else {
-                compact::draw(app, middle, buf, &theme);
-            }
-            if let Some(context) = app.context() {
-                confirm::draw(context, middle, buf, &theme);
-            }
-            if let Mode::Tour { stop } = app.mode() {
-                tour::draw(*stop, middle, buf, &theme);
-            }
+                compact::draw(app, middle, buf, &theme)
+            };
+            let context = app.context();
+            let asked = context.and_then(|context| confirm::draw(context, middle, buf, &theme));
+            let told = match app.mode() {
+                Mode::Tour { stop } => tour::draw(*stop, middle, buf, &theme),
+                _ => None,
+            };
+            told.or(asked).or(behind)
         }
-    }
-    hint::bottom(app, bottom, buf, &theme);
+    };
+    hint::bottom(app, bottom, buf, &theme).or(place)
 }
 
 /// Rows of an area, one below the other, each as high as asked for; the last takes the rest.
@@ -109,13 +111,13 @@ fn stack<const N: usize>(area: Rect, heights: [u16; N]) -> [Rect; N] {
 }
 
 /// The screen from 80x24.
-fn full(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn full(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let left = Rect { width: 27, ..area };
     let right = Rect { x: area.x + 28, width: area.width - 28, ..area };
     let list = left.height - 16;
     let [layouts, inputs, ratios] = stack(left, [list, 11, 5]);
     layouts::draw(app, layouts, buf, theme);
-    inputs::draw(app, inputs, buf, theme);
+    let place = inputs::draw(app, inputs, buf, theme);
     ratios::draw(app, ratios, buf, theme);
 
     let [curve, lower] = stack(right, [right.height - 8, 8]);
@@ -125,16 +127,17 @@ fn full(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let answer = Rect { width: lower.width - plan - 1, ..lower };
     answer::draw(app, answer, buf, theme);
     plan::draw(app, Rect { x: answer.right() + 1, width: plan, ..lower }, buf, theme);
+    place
 }
 
 /// The screen from 110x34.
-fn large(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn large(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let left = Rect { width: 42, ..area };
     let right = Rect { x: area.x + 43, width: area.width - 43, ..area };
     let list = left.height - 11 - 11;
     let [layouts, inputs, ratios] = stack(left, [list, 11, 11]);
     layouts::draw(app, layouts, buf, theme);
-    inputs::draw(app, inputs, buf, theme);
+    let place = inputs::draw(app, inputs, buf, theme);
     ratios::draw(app, ratios, buf, theme);
 
     let [curve, middle, bottom] = stack(right, [right.height - 18, 10, 8]);
@@ -149,4 +152,5 @@ fn large(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let x = table.right() + 1;
     let notes = Rect { x, width: bottom.right().saturating_sub(x), ..bottom };
     warnings::draw(app, notes, buf, theme);
+    place
 }

@@ -7,14 +7,19 @@ use super::theme::Theme;
 use crate::app::message::FoundProject;
 use crate::app::open::Picker;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use std::path::Path;
 
 /// Columns of the file's name.
 const NAME: usize = 26;
 
-/// Draws the list over the whole area.
-pub(crate) fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws the list over the whole area. Returns the place of the cursor in the letters.
+pub(crate) fn draw(
+    picker: &Picker,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     clear(buf, area);
     let matches = picker.matches();
     let count = format!("{} of {}", matches.len(), picker.found.len());
@@ -22,7 +27,7 @@ pub(crate) fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme)
     let prompt = Rect { y: area.y + 1, height: area.height.min(2).saturating_sub(1), ..area };
     let end = put(buf, prompt, 0, 1, "find: ", theme.key);
     let line = Rect { x: area.x + end, width: area.width.saturating_sub(end), ..prompt };
-    typed_text(&picker.entry, line, buf, theme);
+    let cursor = typed_text(&picker.entry, line, buf, theme);
 
     let columns = usize::from(area.width.saturating_sub(3)).max(10);
     let error: Vec<String> =
@@ -60,6 +65,7 @@ pub(crate) fn draw(picker: &Picker, area: Rect, buf: &mut Buffer, theme: &Theme)
             put(buf, place, 1 + row as u16, 2, line, theme.text);
         }
     }
+    cursor
 }
 
 /// A line of the list: name, what is to be known of it, folder.

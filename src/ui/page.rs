@@ -1,12 +1,12 @@
 //! Help and details: a page of text that scrolls.
 
-use super::text::{clear, heading, put, put_right};
+use super::text::{clear, heading, put, put_right, spot};
 use super::theme::Theme;
 use crate::app::App;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
-/// Draws the page over the whole area.
+/// Draws the page over the whole area. Returns where its text begins.
 pub(crate) fn draw(
     app: &App,
     word: &str,
@@ -14,7 +14,7 @@ pub(crate) fn draw(
     area: Rect,
     buf: &mut Buffer,
     theme: &Theme,
-) {
+) -> Option<Position> {
     clear(buf, area);
     heading(buf, area, word, "", theme);
     let lines = app.page_lines();
@@ -35,4 +35,5 @@ pub(crate) fn draw(
             theme.heading,
         );
     }
+    spot(buf, body, 0, 2)
 }

@@ -1,14 +1,20 @@
 //! The list of settings with their values and where each comes from.
 
-use super::text::{clear, cut, heading, put};
+use super::text::{clear, cut, heading, put, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::settings::{SettingItem, Settings};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
-/// Draws the list over the whole area.
-pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws the list over the whole area. Returns the place of the marked entry.
+pub(crate) fn draw(
+    app: &App,
+    index: usize,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     clear(buf, area);
     heading(buf, area, "settings, for all projects", "", theme);
     let columns = usize::from(area.width);
@@ -50,4 +56,5 @@ pub(crate) fn draw(app: &App, index: usize, area: Rect, buf: &mut Buffer, theme:
     for (row, line) in wrapped.take(rows).enumerate() {
         put(buf, area, top + row as u16, 2, &line, theme.text);
     }
+    spot(buf, area, 1 + index as u16, 1)
 }

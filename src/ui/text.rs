@@ -3,7 +3,7 @@
 use super::theme::Theme;
 use crate::show::picture::Picture;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
@@ -45,6 +45,13 @@ pub(crate) fn draw(picture: &Picture, area: Rect, buf: &mut Buffer, theme: &Them
             buf[place].set_char(sign).set_style(theme.ink(ink));
         }
     }
+}
+
+/// The cell at a row and column of an area, for the terminal's cursor to stand on; none where nothing
+/// can be drawn.
+pub(crate) fn spot(buf: &Buffer, area: Rect, row: u16, column: u16) -> Option<Position> {
+    let place = Position::new(area.x.checked_add(column)?, area.y.checked_add(row)?);
+    area.intersection(buf.area).contains(place).then_some(place)
 }
 
 /// A heading: a rule with a word in it, and one at its right end.

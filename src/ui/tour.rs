@@ -1,18 +1,19 @@
 //! A screen of the tour, over the main screen.
 
-use super::text::{clear, heading, put};
+use super::text::{clear, heading, put, spot};
 use super::theme::Theme;
 use crate::app::tour::stops;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Columns of the widest box.
 const WIDEST: u16 = 60;
 
-/// Draws a screen of the tour in the middle of the area, or over all of a small one.
-pub(crate) fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws a screen of the tour in the middle of the area, or over all of a small one. Returns where its
+/// text begins.
+pub(crate) fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let stops = stops();
-    let Some(shown) = stops.get(stop) else { return };
+    let shown = stops.get(stop)?;
     let width = area.width.min(WIDEST);
     let columns = usize::from(width.saturating_sub(4)).max(10);
     let lines: Vec<String> = shown.lines.iter().flat_map(|line| wrapped(line, columns)).collect();
@@ -35,6 +36,7 @@ pub(crate) fn draw(stop: usize, area: Rect, buf: &mut Buffer, theme: &Theme) {
         let last = height - 1;
         put(buf, place, last, 0, &theme.glyphs.rule().repeat(usize::from(width)), theme.heading);
     }
+    spot(buf, place, top, 2)
 }
 
 /// A line in pieces; behind a key the pieces stand under its words.

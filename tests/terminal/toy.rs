@@ -9,6 +9,7 @@ use meshcast::project::Project;
 use meshcast::term::capabilities::Surroundings;
 use meshcast::term::{Ending, Host, Mail, Program, Session, SessionOptions};
 use ratatui::buffer::Buffer;
+use ratatui::layout::Position;
 use ratatui::style::Style;
 use std::fs;
 use std::io::Write;
@@ -107,7 +108,7 @@ impl Program for Toy {
         Vec::new()
     }
 
-    fn draw(&self, buffer: &mut Buffer) {
+    fn draw(&self, buffer: &mut Buffer) -> Option<Position> {
         let (width, height) = self.size;
         let style = Style::new().light_cyan().bold();
         buffer.set_string(0, 0, format!("toy {width}x{height} ⣿ count {}", self.count), style);
@@ -120,6 +121,7 @@ impl Program for Toy {
         if height > 2 {
             buffer.set_string(width.saturating_sub(3), height - 1, "end", Style::new().reversed());
         }
+        None
     }
 
     fn take_dirty(&mut self) -> bool {

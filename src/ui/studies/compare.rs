@@ -1,7 +1,7 @@
 //! All layouts in a table that can be sorted, and their curves in one chart.
 
 use super::super::layouts::first_shown;
-use super::super::text::{self, below, cut, heading, put, put_right, width};
+use super::super::text::{self, below, cut, heading, put, put_right, spot, width};
 use super::super::theme::Theme;
 use super::size;
 use crate::app::App;
@@ -16,7 +16,7 @@ use crate::show::plot::{self, Plot};
 use crate::study::compare::Column;
 use crate::units::{LengthUnit, force_text, percent, significant, to_kn};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Curves that can be told apart in one chart, the marked one included.
 const CURVES: usize = 6;
@@ -26,8 +26,8 @@ const NARROW: u16 = 60;
 const POINTS: usize = 61;
 
 /// Draws the page: table above, curves below, or beside each other where there is room.
-pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let Some(view) = app.comparison() else { return };
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
+    let view = app.comparison()?;
     let title = match app.comparison_sort() {
         Some((head, falling)) => {
             format!("compare: by {}, {}", title(head, app.units()).0, way(falling))
@@ -43,13 +43,14 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let chart = rest.height.saturating_sub(wanted).max(rest.height / 2);
     let chart = if rest.height >= 16 { chart.min(rest.height - 7) } else { 0 };
     let table_area = Rect { height: rest.height - chart, ..rest };
-    table(app, view, table_area, buf, theme);
+    let place = table(app, view, table_area, buf, theme);
     let lower = below(rest, table_area.height);
     if lower.height > plot::SMALLEST.1 as u16 {
         let words = format!("F (kN) over delta ({})", app.units().symbol());
         heading(buf, lower, &words, &legend(view), theme);
         curves(app, view, below(lower, 1), buf, theme);
     }
+    place
 }
 
 fn way(falling: bool) -> &'static str {
@@ -153,7 +154,14 @@ fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> S
     }
 }
 
-fn table(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws the table. Returns the place of the marked layout.
+fn table(
+    app: &App,
+    view: &CompareView,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     let unit = app.units();
     let name = if area.width >= 70 { 13 } else { 10 };
     let sort = app.comparison_sort();
@@ -194,6 +202,7 @@ fn table(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Th
     let marked = app.comparison_marked();
     let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&marked));
     let first = first_shown(at.unwrap_or(0), rows, view.order.len());
+    let place = spot(buf, list, at.unwrap_or(0).saturating_sub(first) as u16, 0);
     for (line, row) in view.order.iter().skip(first).take(rows).enumerate() {
         let line = line as u16;
         let here = view.layouts.get(*row) == Some(&marked);
@@ -224,6 +233,7 @@ fn table(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Th
     let room = usize::from(area.width.saturating_sub(width(&more) + 1));
     put(buf, foot, 0, 1, &cut(&text, room), theme.title);
     put_right(buf, foot, 0, &more, theme.heading);
+    place
 }
 
 /// Which layout governs, and by what.

@@ -1,7 +1,7 @@
 //! Design: what is asked with its partial factors, what the layout answers, and which plate, spacing or
 //! punch just meets it.
 
-use super::super::text::{below, cut, heading, put};
+use super::super::text::{below, cut, heading, put, spot};
 use super::super::theme::Theme;
 use super::super::{answer, chart};
 use super::sweep::figures_text;
@@ -16,7 +16,7 @@ use crate::units::{
     LengthUnit, force_text, length_entry, length_text, percent, shortest, significant, to_kn,
 };
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
 /// Cells of the drawing of a range.
@@ -26,11 +26,12 @@ const RANGE: usize = 20;
 const CHART: u16 = 6;
 
 /// Draws the page.
-pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let name = &app.layout().name;
     let Some(view) = app.design() else {
         heading(buf, area, &format!("design of {name}"), "", theme);
-        return nothing("the mesh of this layout is not known", area, buf, theme);
+        nothing("the mesh of this layout is not known", area, buf, theme);
+        return None;
     };
     heading(buf, area, &format!("design of {name}"), &asked(view), theme);
     let mut rest = below(area, 1);
@@ -50,7 +51,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         {
             put(buf, rest, 1 + row as u16, 1, &cut(line, columns), theme.text);
         }
-        return charted(app, below(rest, 5), buf, theme);
+        charted(app, below(rest, 5), buf, theme);
+        return None;
     }
     let word = match view.requirement {
         Some(Requirement::Force) => "the force",
@@ -65,7 +67,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let chart = rest.height.saturating_sub(wanted);
     let chart = if chart >= CHART { chart } else { 0 };
     let list = Rect { height: (rest.height - chart).min(wanted), ..rest };
-    solved(
+    let place = solved(
         app,
         view,
         Rect { height: list.height.saturating_sub(notes.len() as u16), ..list },
@@ -81,6 +83,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         put(buf, foot, row as u16, 1, &cut(text, columns), *style);
     }
     charted(app, below(rest, list.height), buf, theme);
+    place
 }
 
 /// The curve with the design lines, and the answer beside it.
@@ -178,8 +181,14 @@ fn no_value(why: &NoValue) -> String {
     }
 }
 
-/// The list: two lines an entry.
-fn solved(app: &App, view: &DesignView, list: Rect, buf: &mut Buffer, theme: &Theme) {
+/// The list: two lines an entry. Returns the place of the marked one.
+fn solved(
+    app: &App,
+    view: &DesignView,
+    list: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     let unit = app.units();
     let entries = usize::from(list.height / 2).max(1);
     let first = super::super::layouts::first_shown(view.marked, entries, view.lines.len());
@@ -202,6 +211,7 @@ fn solved(app: &App, view: &DesignView, list: Rect, buf: &mut Buffer, theme: &Th
         let (gives, style) = gives(line, solution, view, unit, theme);
         put(buf, list, row + 1, 4, &cut(&gives, columns.saturating_sub(4)), style);
     }
+    spot(buf, list, 2 * view.marked.saturating_sub(first) as u16, 0)
 }
 
 /// The value that a line offers.

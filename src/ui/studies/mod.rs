@@ -6,7 +6,7 @@ pub(crate) mod map;
 pub(crate) mod sensitivity;
 pub(crate) mod sweep;
 
-use super::text::{clear, put};
+use super::text::{clear, put, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::keymap::StudyPage;
@@ -14,17 +14,27 @@ use crate::job::pace::duration;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
-/// Draws a page over the whole area.
-pub(crate) fn draw(app: &App, page: StudyPage, area: Rect, buf: &mut Buffer, theme: &Theme) {
+/// Draws a page over the whole area. Returns the place of what is marked on it, or of its first line.
+pub(crate) fn draw(
+    app: &App,
+    page: StudyPage,
+    area: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     clear(buf, area);
-    match page {
-        StudyPage::Sensitivity => sensitivity::draw(app, area, buf, theme),
+    let marked = match page {
+        StudyPage::Sensitivity => {
+            sensitivity::draw(app, area, buf, theme);
+            None
+        }
         StudyPage::Sweep => sweep::draw(app, area, buf, theme),
         StudyPage::Compare => compare::draw(app, area, buf, theme),
         StudyPage::Design => design::draw(app, area, buf, theme),
-    }
+    };
+    marked.or_else(|| spot(buf, area, 1, 1))
 }
 
 /// How far the campaign of a page is, in a line.

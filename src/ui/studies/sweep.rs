@@ -1,7 +1,7 @@
 //! A sweep: its ranges at the head, the forecast as a line with the checks' points and bands, and the
 //! marked point in words. Maps are drawn by [`super::map`].
 
-use super::super::text::{self, below, cut, heading, put, put_right};
+use super::super::text::{self, below, cut, heading, put, put_right, spot};
 use super::super::theme::Theme;
 use super::{map, nothing, plan, size, value};
 use crate::app::App;
@@ -16,7 +16,7 @@ use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
 /// Columns from which a table of all points stands beside the chart.
@@ -25,23 +25,26 @@ const WITH_TABLE: u16 = 100;
 const TABLE: u16 = 44;
 
 /// Draws the page.
-pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
+pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let name = &app.layout().name;
     let Some(view) = app.sweep() else {
         heading(buf, area, &format!("sweep of {name}"), "", theme);
-        return nothing("the mesh of this layout is not known", area, buf, theme);
+        nothing("the mesh of this layout is not known", area, buf, theme);
+        return None;
     };
     let unit = app.units();
     let (symbol, symbol_unit) = (effect::symbol(view.shown), effect::unit(view.shown, unit));
     let title = format!("sweep of {name}: {symbol}, {symbol_unit}");
     heading(buf, area, &title, value(view.shown), theme);
     let mut rest = below(area, 1);
+    let mut place = None;
     for axis in 0..view.axes.len() {
-        head(app, view, axis, rest, buf, theme);
+        place = head(app, view, axis, rest, buf, theme).or(place);
         rest = below(rest, 1);
     }
     if let Some(problem) = view.problems.first() {
-        return nothing(&problem.to_string(), rest, buf, theme);
+        nothing(&problem.to_string(), rest, buf, theme);
+        return place;
     }
     let notes = notes(app, view, theme);
     // On a low screen the marked point is enough.
@@ -62,11 +65,20 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     for (row, (text, style)) in notes.iter().enumerate() {
         put(buf, foot, row as u16, 1, &cut(text, columns), *style);
     }
+    place
 }
 
-/// One range: `>vary L from 1.25 to 4.50 m in 9 values`, the chosen part marked.
-fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, theme: &Theme) {
-    let Some(range) = view.axes.get(axis) else { return };
+/// One range: `>vary L from 1.25 to 4.50 m in 9 values`, the chosen part marked. Returns its place.
+fn head(
+    app: &App,
+    view: &SweepView,
+    axis: usize,
+    row: Rect,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
+    let range = view.axes.get(axis)?;
+    let mut place = None;
     let unit = app.units();
     let (chosen, slot) = app.sweep_slot();
     let here = chosen == axis;
@@ -83,7 +95,11 @@ fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, t
     ];
     for (part, before, text) in parts {
         column = put(buf, row, 0, column, before, theme.text);
-        let style = if here && part == slot { theme.selected } else { theme.title };
+        let chosen = here && part == slot;
+        if chosen {
+            place = spot(buf, row, 0, column + 1);
+        }
+        let style = if chosen { theme.selected } else { theme.title };
         column = put(buf, row, 0, column, &format!("[{text}]"), style);
         if part == Slot::To {
             column = put(buf, row, 0, column + 1, input_unit(range.input, unit), theme.text);
@@ -99,6 +115,7 @@ fn head(app: &App, view: &SweepView, axis: usize, row: Rect, buf: &mut Buffer, t
     } else if !narrow {
         put(buf, row, 0, column + 1, "values", theme.text);
     }
+    place
 }
 
 /// The forecast as a line, the checks as points with their bands.
