@@ -24,6 +24,8 @@
 //! - [`ui`]: one panel a file, each a pure function of the state.
 //! - [`term`]: the terminal: what it can show, input, painting, the loop that carries out effects.
 //! - [`cli`]: the command line, one subcommand a file.
+//!
+//! [`guide`]: how to change it, what each test proves, and the words of the house.
 
 pub mod app;
 pub mod axis;
@@ -46,6 +48,9 @@ pub mod term;
 pub mod ui;
 pub mod units;
 pub mod words;
+
+#[doc = include_str!("GUIDE.md")]
+pub mod guide {}
 
 /// Version and commit of the program, as reports and machine-readable results name them:
 /// `0.1.0 (abcdef123456)`. A check that a project keeps carries revisions instead, see

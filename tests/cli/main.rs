@@ -7,6 +7,7 @@ mod exporting;
 mod forecast_csv_and_text;
 mod forecast_json;
 mod program;
+mod readme;
 mod studies;
 mod study_checks;
 mod tables;

@@ -34,7 +34,7 @@ pub(crate) fn action(context: Context, key: Key) -> Option<Action> {
 
 /// The bindings of a screen, in order: its own, then those that hold everywhere, then those of all
 /// pages of studies.
-pub(crate) fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
+pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
     let common = if context == Context::Main { &[] } else { table::EVERYWHERE };
     let pages = if context.is_study() { table::PAGES } else { &[] };
     table::own(context).iter().chain(common).chain(pages)
