@@ -4,6 +4,7 @@
 //! if it were typed. Anything else that is pasted where no text is taken is refused with a word.
 
 use super::key::{Code, Key};
+use super::keymap::{self, Action};
 use super::message::Command;
 use super::{App, Mode};
 
@@ -18,9 +19,9 @@ impl App {
             return;
         }
         let text = text.trim();
-        let first = text.chars().next();
-        if let Some(first) = first.filter(|c| begins_number(*c) && !text.contains(['\r', '\n'])) {
-            // As a page of a study may not take it, what opens is asked for afterwards.
+        let first = text.chars().next().filter(|c| begins_number(*c));
+        let first = first.filter(|c| self.may_open_field(*c) && !text.contains(['\r', '\n']));
+        if let Some(first) = first {
             self.key(Key::char(first));
             if self.paste_into_field(&text[first.len_utf8()..]) {
                 return;
@@ -48,12 +49,12 @@ impl App {
         let single = !body.contains('\r') && text.len() - body.len() <= 1;
         let in_field = matches!(self.mode, Mode::Entry(_) | Mode::Open(_));
         let commands = body.split('\r').all(|line| line.starts_with(':'));
-        let opens = text.starts_with(|c| c == ':' || begins_number(c));
+        let opens = text.chars().next().is_some_and(|c| self.may_open_field(c));
         if in_field && !single {
             self.paste(&text);
             return Vec::new();
         }
-        if in_field || commands || (opens && single) {
+        if in_field || (opens && (commands || single)) {
             return self.type_in(keys);
         }
         self.status = None;
@@ -68,13 +69,24 @@ impl App {
     fn type_in(&mut self, keys: &[Key]) -> Vec<Command> {
         let mut effects = Vec::new();
         for key in keys {
-            let opens = begins_number(character(*key)) || *key == Key::char(':');
-            if !opens && !matches!(self.mode, Mode::Entry(_) | Mode::Open(_)) {
+            if !self.may_open_field(character(*key))
+                && !matches!(self.mode, Mode::Entry(_) | Mode::Open(_))
+            {
                 break;
             }
             effects.extend(self.key(*key));
         }
         effects
+    }
+
+    /// Whether a key by itself does no more here than to begin a command or a value; whether a page of a
+    /// study takes a value is seen when it did.
+    fn may_open_field(&self, c: char) -> bool {
+        let Some(context) = self.context() else { return false };
+        match keymap::action(context, Key::char(c)) {
+            Some(action) => action == Action::Command,
+            None => begins_number(c) && matches!(self.mode, Mode::Main | Mode::Study(_)),
+        }
     }
 }
 

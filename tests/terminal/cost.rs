@@ -19,15 +19,16 @@ const LOOKS: [Look; 3] = [
     Look { color: ColorMode::None, glyphs: Glyphs::Ascii },
 ];
 
-/// The program with its painter, without a terminal.
-struct Bench {
+/// The program with its painter, without a terminal, or with one that shows what was painted.
+pub(crate) struct Bench {
     app: App,
     painter: Painter,
     size: (u16, u16),
+    emulator: Option<vt100::Parser>,
 }
 
 impl Bench {
-    fn new(look: Look, size: (u16, u16)) -> Bench {
+    pub(crate) fn new(look: Look, size: (u16, u16)) -> Bench {
         // The sample as it is, design lines on the chart included.
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/road-cut.ron");
         let project = meshcast::project::load(&file).unwrap().project;
@@ -41,21 +42,67 @@ impl Bench {
             size,
             preferences: Default::default(),
         });
-        let mut bench = Bench { app, painter: Painter::new(Charset::Utf8), size };
+        let painter = Painter::new(Charset::Utf8);
+        let mut bench = Bench { app, painter, size, emulator: None };
         bench.paint();
         bench
     }
 
+    /// An emulator follows from here on.
+    pub(crate) fn watch(&mut self) {
+        let mut emulator = emulator(self.size);
+        emulator.process(&self.whole());
+        self.emulator = Some(emulator);
+    }
+
+    /// What follows the program's screen.
+    pub(crate) fn emulator(&self) -> &vt100::Parser {
+        self.emulator.as_ref().expect("an emulator was asked for")
+    }
+
+    /// The screen as the emulator shows it after all that was painted.
+    pub(crate) fn shown(&self) -> Vec<String> {
+        rows(self.emulator())
+    }
+
+    /// The screen as it would be if all of it were drawn now.
+    pub(crate) fn fresh(&self) -> Vec<String> {
+        let mut emulator = emulator(self.size);
+        emulator.process(&self.whole());
+        rows(&emulator)
+    }
+
+    /// The bytes of the whole screen.
+    fn whole(&self) -> Vec<u8> {
+        let mut painter = Painter::new(Charset::Utf8);
+        let color = self.app.look().color;
+        painter.paint(self.size, color, |buffer| Program::draw(&self.app, buffer)).to_vec()
+    }
+
     fn paint(&mut self) -> usize {
-        let Bench { app, painter, size } = self;
-        painter.paint(*size, app.look().color, |buffer| Program::draw(app, buffer)).len()
+        let Bench { app, painter, size, emulator } = self;
+        let bytes = painter.paint(*size, app.look().color, |buffer| Program::draw(app, buffer));
+        if let Some(emulator) = emulator {
+            emulator.process(bytes);
+        }
+        bytes.len()
     }
 
     /// Bytes that a key costs.
-    fn press(&mut self, key: Key) -> usize {
+    pub(crate) fn press(&mut self, key: Key) -> usize {
         self.app.update(Message::Key(key));
         self.paint()
     }
+}
+
+fn emulator((width, height): (u16, u16)) -> vt100::Parser {
+    let size = |n| std::num::NonZeroU16::new(n).unwrap();
+    vt100::Parser::new(size(height), size(width), 0)
+}
+
+fn rows(emulator: &vt100::Parser) -> Vec<String> {
+    let rows = emulator.screen().rows(0, u16::MAX);
+    rows.map(|row| row.trim_end().to_owned()).collect()
 }
 
 fn plain(code: Code) -> Key {

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 const SAMPLE: &str = include_str!("../../projects/road-cut.ron");
 
 /// The program about to open a copy of a sample project, and the copy.
-fn with_sample() -> (Launch, PathBuf) {
+pub(crate) fn with_sample() -> (Launch, PathBuf) {
     let launch = Launch::meshcast();
     let path = launch.home().join("site.ron");
     fs::write(&path, SAMPLE).unwrap();

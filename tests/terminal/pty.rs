@@ -38,6 +38,7 @@ pub(crate) struct Launch {
     env: Vec<(OsString, OsString)>,
     size: (u16, u16),
     home: tempfile::TempDir,
+    seen: bool,
 }
 
 impl Launch {
@@ -60,6 +61,7 @@ impl Launch {
             env: Vec::new(),
             size: (80, 24),
             home,
+            seen: true,
         };
         let home = launch.home().into_os_string();
         launch
@@ -67,6 +69,12 @@ impl Launch {
             .env("TERM", "xterm-256color")
             .env("LANG", "C.UTF-8")
             .env("HOME", home)
+    }
+
+    /// Without an emulator: what is sent is kept, and any size will do.
+    pub(crate) fn unseen(mut self) -> Launch {
+        self.seen = false;
+        self
     }
 
     /// A shell script in place of the program, with the same environment.
@@ -109,7 +117,7 @@ impl Launch {
 
     /// Starts the program as leader of a session of its own, on a new terminal.
     pub(crate) fn start(self) -> Pty {
-        let Launch { program, args, env, size, home } = self;
+        let Launch { program, args, env, size, home, seen } = self;
         let pair = native_pty_system().openpty(pty_size(size)).unwrap();
         let mut command = CommandBuilder::new(program);
         command.args(args);
@@ -125,6 +133,7 @@ impl Launch {
             emulator: vt100::Parser::new(nonzero(size.1), nonzero(size.0), 0),
             bytes: Vec::new(),
             last: Instant::now(),
+            seen,
         }));
         let control = Arc::new(Control::default());
         let reader = thread::spawn({
@@ -148,6 +157,7 @@ struct State {
     emulator: vt100::Parser,
     bytes: Vec<u8>,
     last: Instant,
+    seen: bool,
 }
 
 /// Orders to the thread that reads.
@@ -178,15 +188,45 @@ impl Pty {
 
     /// Types, escape sequences included: `"\x1b[A"` is the arrow up, `"\x13"` is Ctrl+S.
     pub(crate) fn send(&self, keys: &str) {
-        let mut rest = keys.as_bytes();
+        self.send_bytes(keys.as_bytes());
+    }
+
+    /// Sends bytes, whatever they are.
+    pub(crate) fn send_bytes(&self, bytes: &[u8]) {
+        let mut rest = bytes;
         let start = Instant::now();
         while !rest.is_empty() {
-            match self.file().write(rest) {
-                Ok(taken) => rest = &rest[taken..],
-                Err(error) if error.kind() == ErrorKind::WouldBlock => thread::sleep(LOOK),
-                Err(error) => panic!("cannot type: {error}"),
+            rest = self.offer(rest).unwrap_or_else(|error| panic!("cannot type: {error}"));
+            assert!(start.elapsed() < PATIENCE, "the program reads nothing");
+        }
+    }
+
+    /// Sends bytes as long as the program runs; whether it has taken them all.
+    pub(crate) fn try_send(&mut self, bytes: &[u8]) -> bool {
+        let mut rest = bytes;
+        let start = Instant::now();
+        while !rest.is_empty() {
+            match self.offer(rest) {
+                Ok(left) => rest = left,
+                Err(_) => return false,
+            }
+            if !rest.is_empty() && self.ends_within(LOOK) {
+                return false;
             }
             assert!(start.elapsed() < PATIENCE, "the program reads nothing");
+        }
+        true
+    }
+
+    /// Offers bytes to the terminal once; what it did not take.
+    fn offer<'a>(&self, bytes: &'a [u8]) -> std::io::Result<&'a [u8]> {
+        match self.file().write(bytes) {
+            Ok(taken) => Ok(&bytes[taken..]),
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {
+                thread::sleep(LOOK);
+                Ok(bytes)
+            }
+            Err(error) => Err(error),
         }
     }
 
@@ -200,6 +240,15 @@ impl Pty {
         self.wait_until(&format!("{text:?} on the screen"), |screen| {
             screen.contents().contains(text)
         });
+    }
+
+    /// Waits until bytes were received.
+    pub(crate) fn wait_for_bytes(&self, bytes: &[u8]) {
+        let start = Instant::now();
+        while !self.state().bytes.windows(bytes.len()).any(|window| window == bytes) {
+            assert!(start.elapsed() < PATIENCE, "waited for {}", bytes.escape_ascii());
+            thread::sleep(LOOK);
+        }
     }
 
     /// Waits until the screen is as wanted.
@@ -251,7 +300,9 @@ impl Pty {
 
     /// Changes the size of the terminal.
     pub(crate) fn resize(&self, width: u16, height: u16) {
-        self.state().emulator.screen_mut().set_size(nonzero(height), nonzero(width));
+        if self.state().seen {
+            self.state().emulator.screen_mut().set_size(nonzero(height), nonzero(width));
+        }
         let (master, _) = self.line.as_ref().expect("the terminal has hung up");
         master.resize(pty_size((width, height))).unwrap();
     }
@@ -260,6 +311,13 @@ impl Pty {
     pub(crate) fn signal(&self, signal: Signal) {
         let id = self.child.process_id().unwrap() as i32;
         kill_process(Pid::from_raw(id).unwrap(), signal).unwrap();
+    }
+
+    /// Sends the program a signal, if it is still there.
+    pub(crate) fn try_signal(&self, signal: Signal) {
+        if let Some(id) = self.child.process_id() {
+            let _ = kill_process(Pid::from_raw(id as i32).unwrap(), signal);
+        }
     }
 
     /// Stops reading what the program sends, like a line that is stuck.
@@ -340,7 +398,9 @@ fn listen(mut file: File, state: &Mutex<State>, control: &Control) {
         match file.read(&mut chunk) {
             Ok(count) if count > 0 => {
                 let mut state = state.lock().unwrap();
-                state.emulator.process(&chunk[..count]);
+                if state.seen {
+                    state.emulator.process(&chunk[..count]);
+                }
                 state.bytes.extend_from_slice(&chunk[..count]);
                 state.last = Instant::now();
             }

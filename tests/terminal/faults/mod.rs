@@ -1,0 +1,12 @@
+//! Faults that were found in use or by attack, each in a file of its own: what was seen, why, and the
+//! test that fails where it comes back.
+
+mod bursts;
+mod cursor;
+mod home;
+mod late_answers;
+mod more_signals;
+mod pastes;
+mod pictures;
+mod resize_in_paste;
+mod split_sequences;
