@@ -1,17 +1,37 @@
 //! What `y` and `Y` copy: one line with the answer, the table of layouts, or the page being read.
 
 use super::App;
+use super::derived::LayoutResult;
 use super::message::Command;
 use crate::case::Input;
-use crate::units::{force_text, length_text, shortest, significant, to_kn};
+use crate::project::schema::NamedLayout;
+use crate::show::layouts::{self, LayoutParts, LayoutRow};
+use crate::units::{force_text, length_text, significant, to_kn};
 
 /// What is said when something was sent; nobody tells whether the terminal took it.
 const SENT: &str = "copied, if the terminal takes OSC 52";
 
-/// Columns of the table, tabs between them; names and units as in the CSV of an export.
-const COLUMNS: &str = "layout\tmesh\td_m\tL_m\tD_m\tex_m\tey_m\tF_kN\tdelta_m\tdesign_F_kN\t\
-                       utilisation\tload_delta_m\tallowable_delta_m\tallowable_F_kN\tcheck_F_kN\t\
-                       check_delta_m\tcheck_stale\twarnings";
+/// Columns of the table, those of an export that people look for.
+const COLUMNS: [&str; 18] = [
+    "layout",
+    "mesh",
+    "d_m",
+    "L_m",
+    "D_m",
+    "ex_m",
+    "ey_m",
+    "F_kN",
+    "delta_m",
+    "design_F_kN",
+    "utilisation",
+    "design_delta_m",
+    "allowable_delta_m",
+    "allowable_F_kN",
+    "check_F_kN",
+    "check_delta_m",
+    "check_stale",
+    "warnings",
+];
 
 impl App {
     /// Copies the answer of the selected layout.
@@ -84,43 +104,25 @@ impl App {
 
     /// All layouts with their results, a line each, tabs between the columns.
     pub(crate) fn layouts_table(&self) -> String {
-        let mut table = format!("{COLUMNS}\n");
-        let layouts = self.project().layouts.iter().zip(self.results());
-        for (index, (layout, result)) in layouts.enumerate() {
-            let check = self.kept_check(index).filter(|shown| shown.result.broke());
-            let forecast = result.forecast();
-            let field = forecast.and_then(|f| f.field).map(|f| f.values);
-            let at_force = result.answer().and_then(|d| d.at_force);
-            let at_deflection = result.answer().and_then(|d| d.at_deflection);
-            let kn = |v: Option<f64>| v.map_or(String::new(), |v| significant(to_kn(v), 5));
-            let plain = |v: Option<f64>| v.map_or(String::new(), |v| significant(v, 5));
-            let input = |v: f64| shortest(v);
-            let warnings =
-                forecast.map_or(Vec::new(), |f| f.warnings.iter().map(|w| w.code()).collect());
-            let cells = [
-                // A tab in a name would be a column.
-                layout.name.replace(['\t', '\n', '\r'], " "),
-                layout.mesh.clone(),
-                input(layout.layout.plate),
-                input(layout.layout.spacing),
-                input(layout.layout.punch),
-                input(layout.layout.ex),
-                input(layout.layout.ey),
-                kn(field.map(|v| v.force)),
-                plain(field.map(|v| v.deflection)),
-                kn(layout.question.force),
-                plain(at_force.map(|a| a.utilisation)),
-                plain(at_force.and_then(|a| a.deflection)),
-                plain(layout.question.deflection),
-                kn(at_deflection.map(|a| a.force)),
-                kn(check.map(|c| c.result.force.mean)),
-                plain(check.map(|c| c.result.deflection.mean)),
-                check.map_or(String::new(), |c| c.stale().to_string()),
-                warnings.join(" "),
-            ];
-            table.push_str(&cells.join("\t"));
-            table.push('\n');
-        }
-        table
+        let layouts = self.project().layouts.iter().zip(self.results()).enumerate();
+        let rows = layouts.map(|(index, (layout, result))| self.row(index, layout, result));
+        layouts::table().only(&COLUMNS).tabs(rows, " ")
+    }
+
+    fn row<'a>(
+        &'a self,
+        index: usize,
+        layout: &'a NamedLayout,
+        result: &'a LayoutResult,
+    ) -> LayoutParts<'a> {
+        LayoutParts::from(LayoutRow {
+            name: &layout.name,
+            mesh: &layout.mesh,
+            layout: &layout.layout,
+            question: &layout.question,
+            case: result.case.as_ref(),
+            derived: result.derived.as_ref().ok(),
+            check: self.kept_check(index).map(|shown| (shown.result, shown.stale())),
+        })
     }
 }

@@ -8,8 +8,7 @@
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
 //! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
 //!   [`wire`]: the wires of a check.
-//! - [`output`]: results to standard output, errors to standard error, exit codes; [`shapes`]:
-//!   pieces of JSON; [`watch`]: progress, time left and Ctrl+C.
+//! - [`output`]: results to standard output, errors to standard error, exit codes; [`watch`]: progress, time left and Ctrl+C.
 //!
 //! Exit codes: 0 for a result, 1 for a failure, 2 for bad input, 130 for what Ctrl+C ended early.
 
@@ -32,7 +31,6 @@ mod page;
 pub(crate) mod quantity;
 pub(crate) mod report;
 pub(crate) mod sensitivity;
-pub(crate) mod shapes;
 pub(crate) mod source;
 pub(crate) mod sweep;
 pub(crate) mod watch;

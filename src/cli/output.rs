@@ -5,7 +5,6 @@ use crate::project::LoadError;
 use crate::units::without_noise;
 use clap::ValueEnum;
 use serde::Serializer;
-use std::borrow::Cow;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -139,15 +138,6 @@ fn to_stdout(text: &str) -> io::Result<()> {
     out.flush()
 }
 
-/// Text as a field of CSV after RFC 4180: in quotes where it holds a comma, a quote or a line end.
-pub(crate) fn quoted(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\n', '\r']) {
-        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
-    } else {
-        Cow::Borrowed(text)
-    }
-}
-
 /// JSON of a value that is made of structs, lists, texts and finite numbers.
 pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
     serde_json::to_string(value)
@@ -157,19 +147,6 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
 /// For `#[serde(serialize_with = ...)]`: a number without the noise of conversion.
 pub(crate) fn number<S: Serializer>(value: &f64, s: S) -> Result<S::Ok, S::Error> {
     s.serialize_f64(without_noise(*value))
-}
-
-/// The same for a number that may be missing.
-pub(crate) fn optional<S: Serializer>(value: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
-    match value {
-        Some(value) => number(value, s),
-        None => s.serialize_none(),
-    }
-}
-
-/// The same for a list.
-pub(crate) fn list<S: Serializer>(values: &[f64], s: S) -> Result<S::Ok, S::Error> {
-    s.collect_seq(values.iter().map(|v| without_noise(*v)))
 }
 
 /// JSON objects as one line each in a list, or the one object alone.
@@ -183,11 +160,6 @@ pub(crate) fn json_list<T: serde::Serialize>(
         [] => "[]\n".to_string(),
         all => format!("[\n{}\n]\n", all.join(",\n")),
     })
-}
-
-/// A number as a field of CSV, without the noise of conversion; empty where it is missing.
-pub(crate) fn cell(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |v| without_noise(v).to_string())
 }
 
 /// Breaks a text into lines of at most `width` columns: the first begins with `head`, the others are
@@ -216,14 +188,6 @@ pub(crate) fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn fields_are_quoted_where_a_reader_needs_it() {
-        assert_eq!(quoted("bench 2"), "bench 2");
-        assert_eq!(quoted("a,b"), "\"a,b\"");
-        assert_eq!(quoted("3\" plate"), "\"3\"\" plate\"");
-        assert_eq!((cell(Some(0.1 + 0.2)), cell(None)), ("0.3".into(), String::new()));
-    }
 
     #[test]
     fn lines_break_between_words_and_keep_their_indent() {

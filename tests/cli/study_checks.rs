@@ -64,32 +64,35 @@ fn a_sweep_is_the_check_at_each_point() {
     let range = ["--vary", "L", "--from", "1.3", "--to", "1.5", "--steps", "2", "--force", "8"];
     let plain = json(&[&["sweep"][..], &PANEL, &range].concat());
     let v = object(&of("sweep", &[&range[..], &["--dem"]].concat()));
-    assert_eq!(v["dem_plan"]["fidelity"], "quick");
-    assert_eq!((&v["dem_plan"]["runs"], &v["dem_plan"]["seed"]), (&2.into(), &7.into()));
+    assert_eq!(v["check_plan"]["fidelity"], "quick");
+    assert_eq!((&v["check_plan"]["runs"], &v["check_plan"]["seed"]), (&2.into(), &7.into()));
     for (index, spacing) in ["1.3", "1.5"].iter().enumerate() {
         let point = &v["points"][index];
         let check =
             object(&["check", "-L", spacing, "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
-        let dem = &point["dem"];
+        let dem = &point["check"];
         is_the_check(dem, &check);
         let over = 100.0 * (number(dem, "/F_kN") / number(point, "/F_kN") - 1.0);
         assert!((number(dem, "/difference_pct/F") - over).abs() < 1e-6);
         // gamma 1: the design force over the mean.
         assert!((number(dem, "/utilisation") - 8.0 / number(dem, "/F_kN")).abs() < 1e-9);
-        assert!(point["dem_reason"].is_null());
+        assert!(point["check_reason"].is_null());
         // The forecast beside it is what it is without.
         for field in ["L_m", "F_kN", "delta_m", "utilisation", "warnings"] {
             assert_eq!(point[field], plain["points"][index][field]);
         }
     }
-    assert!(plain["points"][0].get("dem").is_none() && plain.get("dem_plan").is_none());
+    assert!(plain["points"][0].get("check").is_none() && plain.get("check_plan").is_none());
 
     let out = went(&of("sweep", &[&range[..], &["--dem", "--format=csv"]].concat()));
     let rows: Vec<Vec<&str>> = out.lines().map(|l| l.split(',').collect()).collect();
     assert_eq!(rows[0][..2], ["L_m", "F_kN"]);
-    assert_eq!(rows[0][6..10], ["F_dem_kN", "delta_dem_m", "utilisation_dem", "F_dem_low_kN"]);
+    assert_eq!(
+        rows[0][6..10],
+        ["check_F_kN", "check_delta_m", "check_utilisation", "check_F_low_kN"]
+    );
     assert!(rows.len() == 3 && rows.iter().all(|r| r.len() == rows[0].len()), "{out}");
-    assert_eq!(rows[1][6], v["points"][0]["dem"]["F_kN"].to_string());
+    assert_eq!(rows[1][6], v["points"][0]["check"]["F_kN"].to_string());
     let text = went(&of("sweep", &[&range[..], &["--dem"]].concat()));
     fits(&text);
     assert!(text.contains("DEM           quick fidelity, 2 runs each, seed 7"), "{text}");
@@ -100,12 +103,12 @@ fn a_sweep_is_the_check_at_each_point() {
 fn a_sensitivity_has_changes_with_errors_and_reasons() {
     let v = object(&of("sensitivity", &["--dem", "--force", "8"]));
     let check = object(&["check", "-L1.3", "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
-    is_the_check(&v["dem"], &check);
+    is_the_check(&v["check"], &check);
     let moved = object(&["check", "-L1.43", "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
     let raised = &v["sensitivity"][1]["high"];
-    is_the_check(&raised["dem"], &moved);
-    let change = &raised["dem"]["change"];
-    let by_hand = number(&raised["dem"], "/F_kN") - number(&v["dem"], "/F_kN");
+    is_the_check(&raised["check"], &moved);
+    let change = &raised["check"]["change"];
+    let by_hand = number(&raised["check"], "/F_kN") - number(&v["check"], "/F_kN");
     assert!((number(change, "/F_kN") - by_hand).abs() < 1e-9);
     // The error of two pairs: half the difference of their differences. The runs' forces are those of
     // the two checks, here rounded to five digits.
@@ -117,11 +120,11 @@ fn a_sensitivity_has_changes_with_errors_and_reasons() {
     assert!(change["utilisation"].is_f64());
     for input in [5, 6] {
         let step = &v["sensitivity"][input]["low"];
-        assert!(step["dem"].is_null() && step["F_kN"].is_f64());
-        assert_eq!(step["dem_missing"], "laboratory");
-        assert!(step["dem_reason"].as_str().unwrap().contains("wires from the mesh"));
+        assert!(step["check"].is_null() && step["F_kN"].is_f64());
+        assert_eq!(step["check_missing"], "laboratory");
+        assert!(step["check_reason"].as_str().unwrap().contains("wires from the mesh"));
     }
-    assert_eq!(v["order_dem"]["F"].as_array().map(Vec::len), Some(7));
+    assert_eq!(v["check_order"]["F"].as_array().map(Vec::len), Some(7));
 
     let text = went(&of("sensitivity", &["--dem", "--force", "8"]));
     fits(&text);
@@ -131,9 +134,9 @@ fn a_sensitivity_has_changes_with_errors_and_reasons() {
     let csv = went(&of("sensitivity", &["--dem", "--format=csv"]));
     let rows: Vec<Vec<&str>> = csv.lines().map(|l| l.split(',').collect()).collect();
     assert!(rows.len() == 15 && rows.iter().all(|r| r.len() == rows[0].len()), "{csv}");
-    let missing = rows[0].iter().position(|c| *c == "dem_missing").unwrap();
+    let missing = rows[0].iter().position(|c| *c == "check_missing").unwrap();
     assert_eq!((rows[1][missing], rows[11][missing]), ("", "laboratory"));
-    assert_eq!(rows[0].last(), Some(&"change_utilisation_dem_error"));
+    assert_eq!(rows[0].last(), Some(&"check_change_utilisation_error"));
 }
 
 const PAIR: &str = r#"(
@@ -147,35 +150,58 @@ const PAIR: &str = r#"(
 )
 "#;
 
+/// A check is called the same in a comparison as in an exported table; what both have is one column.
+#[test]
+fn a_check_has_the_columns_of_an_exported_table() {
+    let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/inputs/kept.ron");
+    let header = |csv: String| -> Vec<String> {
+        csv.lines().next().unwrap().split(',').map(String::from).collect()
+    };
+    let exported = header(went(&["export", kept, "--what=table"]));
+    let compared =
+        header(went(&["compare", kept, "--dem", "--fidelity=quick", "--runs=1", "--format=csv"]));
+    let of_checks = |names: &[String]| -> Vec<String> {
+        names.iter().filter(|name| name.starts_with("check_")).cloned().collect()
+    };
+    let both = of_checks(&exported).into_iter().filter(|name| compared.contains(name));
+    assert_eq!(both.collect::<Vec<_>>(), ["check_F_kN", "check_delta_m", "check_runs"]);
+    let all = || exported.iter().chain(&compared);
+    assert!(all().all(|name| !name.contains("dem")), "{exported:?} {compared:?}");
+    assert!(all().any(|name| name == "design_delta_m"));
+}
+
 #[test]
 fn a_comparison_checks_each_layout() {
     let (_keep, path) = file("small.ron", PAIR);
     let all = [&["compare", shown(&path), "--dem"][..], &QUICK].concat();
     let v = object(&all);
     let check = object(&["check", "-L1.3", "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
-    is_the_check(&v["layouts"][0]["dem"], &check);
-    let used = number(&v, "/layouts/0/dem/utilisation");
-    assert!((used - 8.0 / number(&v, "/layouts/0/dem/F_kN")).abs() < 1e-9);
+    is_the_check(&v["layouts"][0]["check"], &check);
+    let used = number(&v, "/layouts/0/check/utilisation");
+    assert!((used - 8.0 / number(&v, "/layouts/0/check/F_kN")).abs() < 1e-9);
     let corner = &v["layouts"][1];
-    assert!(corner["dem"].is_null() && corner["dem_missing"] == "impossible", "{corner}");
-    assert!(corner["dem_reason"].as_str().unwrap().contains("anchor plate"));
-    assert_eq!(v["layouts"][2]["dem"]["F_kN"], v["layouts"][0]["dem"]["F_kN"]);
+    assert!(corner["check"].is_null() && corner["check_missing"] == "impossible", "{corner}");
+    assert!(corner["check_reason"].as_str().unwrap().contains("anchor plate"));
+    assert_eq!(v["layouts"][2]["check"]["F_kN"], v["layouts"][0]["check"]["F_kN"]);
     let text = went(&all);
     fits(&text);
     assert!(text.contains("over F_a") && text.contains("not possible"), "{text}");
     let csv = went(&[&all[..], &["--format=csv"]].concat());
-    assert!(csv.lines().next().unwrap().ends_with(",runs_dem,slipped_dem,dem_missing"), "{csv}");
+    assert!(
+        csv.lines().next().unwrap().ends_with(",check_runs,check_slipped,check_missing"),
+        "{csv}"
+    );
     assert!(csv.lines().nth(2).unwrap().ends_with(",,,impossible"), "{csv}");
     // A sensitivity or a sweep of a project is a list, each layout with its own checks.
     let sweep = ["sweep", shown(&path), "--vary=D", "--from=0.4", "--to=0.45", "--steps=2"];
     let list = object(&[&sweep[..], &["--dem"], &QUICK].concat());
-    assert_eq!(list[0]["points"][0]["dem"]["F_kN"], v["layouts"][0]["dem"]["F_kN"]);
-    assert_eq!(list[1]["points"][1]["dem_missing"], "impossible");
+    assert_eq!(list[0]["points"][0]["check"]["F_kN"], v["layouts"][0]["check"]["F_kN"]);
+    assert_eq!(list[1]["points"][1]["check_missing"], "impossible");
     assert_eq!(list[2]["points"], {
         let mut first = list[0]["points"].clone();
         for point in first.as_array_mut().unwrap() {
             point["utilisation"] = Value::Null;
-            point["dem"]["utilisation"] = Value::Null;
+            point["check"]["utilisation"] = Value::Null;
         }
         first
     });
@@ -201,8 +227,8 @@ fn a_map_has_a_second_one_of_the_checks() {
         "--dem",
     ];
     let v = object(&of("sweep", &range));
-    assert!(v["points"][1]["dem"]["F_kN"].is_f64());
-    assert_eq!(v["points"][2]["dem_missing"], "impossible");
+    assert!(v["points"][1]["check"]["F_kN"].is_f64());
+    assert_eq!(v["points"][2]["check_missing"], "impossible");
     let text = went(&of("sweep", &range));
     fits(&text);
     assert!(text.contains("DEM F, kN") && text.contains("X cannot be checked"), "{text}");
@@ -212,7 +238,7 @@ fn a_map_has_a_second_one_of_the_checks() {
 fn what_a_check_does_not_know_has_a_reason_and_no_run() {
     let range = ["--vary=Fl", "--from=60", "--to=80", "--steps=3", "--dem"];
     let v = object(&of("sweep", &range));
-    assert!(v["points"].as_array().unwrap().iter().all(|p| p["dem_missing"] == "laboratory"));
+    assert!(v["points"].as_array().unwrap().iter().all(|p| p["check_missing"] == "laboratory"));
     let text = went(&of("sweep", &range));
     fits(&text);
     assert!(text.contains("wires from the mesh, not from the laboratory"), "{text}");
@@ -228,9 +254,9 @@ fn runs_without_a_break_are_told_apart() {
     let small = ["sweep", "-L1.3", "--vary=D", "--from=0.05", "--to=0.4", "--steps=2", "--dem"];
     let all = [&small[..], &QUICK].concat();
     let v = object(&all);
-    let dem = &v["points"][0]["dem"];
+    let dem = &v["points"][0]["check"];
     assert!(dem["F_kN"].is_null() && dem["difference_pct"].is_null() && dem["broken"] == 0);
-    assert!(dem["band"]["F_kN"][1].is_f64() && v["points"][1]["dem"]["F_kN"].is_f64());
+    assert!(dem["band"]["F_kN"][1].is_f64() && v["points"][1]["check"]["F_kN"].is_f64());
     let text = went(&all);
     fits(&text);
     assert!(text.lines().any(|l| l.contains("0.05") && l.contains("no break")), "{text}");
@@ -271,7 +297,7 @@ fn an_interrupt_leaves_valid_json() {
     let v: Value = serde_json::from_str(&got.out).expect("still JSON");
     let points = v["points"].as_array().unwrap();
     assert_eq!(points.len(), 500);
-    assert!(points[0]["dem"]["runs"].as_u64() > Some(0), "{}", points[0]);
-    assert_eq!(points[499]["dem_missing"], "not_made");
+    assert!(points[0]["check"]["runs"].as_u64() > Some(0), "{}", points[0]);
+    assert_eq!(points[499]["check_missing"], "not_made");
     assert!(points[499]["F_kN"].is_f64(), "the forecast is whole");
 }

@@ -48,10 +48,10 @@ fn a_kept_check_is_in_every_export_that_can_show_it() {
     let table = text(ExportKind::Table, &project);
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
-    let number: f64 = rows[1][column("dem_F_kN")].parse().unwrap();
+    let number: f64 = rows[1][column("check_F_kN")].parse().unwrap();
     assert_eq!(number, to_kn(result.force.mean));
-    assert_eq!((rows[1][column("dem_runs")], rows[1][column("dem_stale")]), ("2", "false"));
-    assert_eq!((rows[2][column("dem_F_kN")], rows[2][column("dem_stale")]), ("", ""));
+    assert_eq!((rows[1][column("check_runs")], rows[1][column("check_stale")]), ("2", "false"));
+    assert_eq!((rows[2][column("check_F_kN")], rows[2][column("check_stale")]), ("", ""));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use meshcast::app::message::{Command, FoundProject, Message, OpenFailure, Opened
 use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
+use meshcast::export::{csv, exported};
 use meshcast::project::schema::Project;
 use meshcast::units::LengthUnit;
 use std::path::{Path, PathBuf};
@@ -347,8 +348,17 @@ fn the_answer_the_table_and_the_page_are_copied() {
     let column = |name: &str| rows[0].iter().position(|c| *c == name).unwrap();
     assert_eq!(rows[1][column("d_m")], "0.25");
     assert!(rows[1][column("F_kN")].starts_with("22.8"), "{table}");
-    assert_eq!(rows[1][column("design_F_kN")], "20.000");
+    assert_eq!(rows[1][column("design_F_kN")], "20");
     assert_eq!(rows[2][column("design_F_kN")], "");
+    // Each column is called as in an exported table, and holds the same.
+    let exported = csv::table(&exported(app.project()).unwrap());
+    let lines: Vec<Vec<&str>> = exported.lines().map(|l| l.split(',').collect()).collect();
+    for (place, name) in rows[0].iter().enumerate().skip(1) {
+        let there = lines[0].iter().position(|c| c == name).unwrap_or_else(|| panic!("{name}"));
+        for (copied, exported) in rows.iter().zip(&lines) {
+            assert_eq!(copied[place], exported[there], "{name}");
+        }
+    }
 
     let page = copied(press(&mut app, "iY"));
     assert!(page.contains("Laboratory to field") && page.contains("Curve (Eq. 3)"), "{page}");

@@ -16,7 +16,6 @@ pub(super) use flags::{fidelity, runs, threads};
 
 use super::case::Inputs;
 use super::output::{CommandEnd, Fault, Output, say};
-use super::shapes::WarningJson;
 use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
@@ -30,6 +29,7 @@ use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
 use flags::CheckFormat;
+use remarks::CheckRemark;
 
 /// One case with its check.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ struct Checked {
     stretch: [f64; 2],
     forecast: Forecast,
     fingerprint: Fingerprint,
-    warnings: Vec<WarningJson>,
+    warnings: Vec<CheckRemark>,
 }
 
 impl Checked {

@@ -1,20 +1,30 @@
 //! What a check has to say about itself.
 
 use super::Checked;
-use crate::cli::shapes::WarningJson;
 use crate::dem::{Stop, Test};
 use crate::forecast::warning::Weight;
 use crate::study::ensemble::TARGET;
 use crate::units::{significant, to_kn};
 
+/// A remark on a check.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CheckRemark {
+    /// Stable identifier for programs.
+    pub(super) code: &'static str,
+    /// How much it weighs.
+    pub(super) weight: &'static str,
+    /// The sentence.
+    pub(super) message: String,
+}
+
 /// Stretch of the net beyond which it is said.
 const MUCH_STRETCH: f64 = 0.02;
 
 /// The remarks on a check, the heaviest first.
-pub(crate) fn of(c: &Checked) -> Vec<WarningJson> {
+pub(crate) fn of(c: &Checked) -> Vec<CheckRemark> {
     let mut list = Vec::new();
     let mut say = |code, weight: Weight, message: String| {
-        list.push((weight, WarningJson { code, weight: weight.word(), message }));
+        list.push((weight, CheckRemark { code, weight: weight.word(), message }));
     };
     let e = &c.ensemble;
     let stopped = |stop: Stop| e.runs.iter().filter(|r| r.outcome.stop == stop).count();

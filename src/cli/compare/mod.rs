@@ -1,17 +1,20 @@
 //! `meshcast compare`: the layouts of a project side by side.
 //!
-//! - [`text`]: the table for people; [`both`]: that of the checks below it; [`data`]: JSON and CSV.
+//! - [`text`]: the table for people; [`both`]: that of the checks below it; [`json`], [`csv`]: for
+//!   programs.
 
 mod both;
-mod data;
+mod csv;
+mod json;
 mod text;
 
 use super::UiFlags;
 use super::case::Inputs;
 use super::dem::{DemFlags, Job};
 use super::output::{CommandEnd, Output, TableFormat};
+use crate::forecast::warning::Weight;
 use crate::study::checks::CheckAnswer;
-use crate::study::compare::{Column, Comparison, compare};
+use crate::study::compare::{Column, CompareRow, Comparison, compare};
 use crate::study::result::Wanted;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -62,6 +65,11 @@ impl Compared {
     }
 }
 
+/// The mark of a row's warnings: `!` for what weighs more than a note.
+fn mark(row: &CompareRow) -> &'static str {
+    if row.weight() >= Some(Weight::Caution) { "!" } else { "" }
+}
+
 /// Compares and writes the result in the form asked for.
 pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.inputs.of_file(&args.project, None, ui)?;
@@ -83,8 +91,8 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let compared = Compared { comparison, checked };
     let result = match args.format {
         TableFormat::Text => text::report(&compared, &order, loaded.unit),
-        TableFormat::Json => data::json(&compared, &order)?,
-        TableFormat::Csv => data::csv(&compared, &order),
+        TableFormat::Json => json::report(&compared, &order)?,
+        TableFormat::Csv => csv::report(&compared, &order),
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

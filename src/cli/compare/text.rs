@@ -1,7 +1,6 @@
 //! A comparison as a table of 80 columns, the governing layout named below, and what to know.
 
-use super::data::mark;
-use super::{Compared, both};
+use super::{Compared, both, mark};
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut, percent};
 use crate::forecast::warning::Weight;

@@ -1,10 +1,8 @@
 //! Checks beside the forecasts of a study: the flags that ask for them, and how they are run.
 //!
-//! What a check says is read by [`crate::study::checks::figures`]; [`json`], [`csv`], [`text`] are the
-//! forms of it.
+//! What a check says is read by [`crate::study::checks::figures`]; its columns are those of
+//! [`crate::show::columns`], [`text`] is what people are told.
 
-pub(crate) mod csv;
-pub(crate) mod json;
 pub(crate) mod text;
 
 use super::check::{fidelity, runs, threads};

@@ -1,16 +1,17 @@
 //! `meshcast design`: the answer to a design question, and the plate, spacing or punch that just meets
 //! it.
 //!
-//! - [`text`]: sentences for people; [`data`]: JSON and CSV.
+//! - [`text`]: sentences for people; [`json`], [`csv`]: for programs.
 
-mod data;
+mod csv;
+mod json;
 mod text;
 
 use super::UiFlags;
 use super::case::Source;
 use super::output::{CommandEnd, Fault, TableFormat, result};
 use crate::case::{self, Case, Input};
-use crate::study::solve::{Requirement, Solution, solve};
+use crate::study::solve::{Crossing, Requirement, Solution, solve};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
@@ -51,6 +52,11 @@ struct Solved {
     solutions: Vec<Solution>,
 }
 
+/// On which side of a crossing a requirement is met.
+fn side(c: &Crossing) -> &'static str {
+    if c.met_above { "above" } else { "below" }
+}
+
 /// Solves for each layout and writes the result in the form asked for.
 pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
@@ -73,7 +79,7 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
     }
     match args.format {
         TableFormat::Text => result(text::report(&solved, loaded.unit)),
-        TableFormat::Json => result(data::json(&solved, loaded.several)?),
-        TableFormat::Csv => result(data::csv(&solved, loaded.several)),
+        TableFormat::Json => result(json::report(&solved, loaded.several)?),
+        TableFormat::Csv => result(csv::report(&solved, loaded.several)),
     }
 }

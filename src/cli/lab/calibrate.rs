@@ -2,7 +2,6 @@
 
 use crate::cli::check::{fidelity, threads};
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, number, wrapped};
-use crate::cli::shapes::Pair;
 use crate::cli::watch::Watch;
 use crate::cli::{VERSION, quantity, wire};
 use crate::dem::{Controls, Fidelity};
@@ -11,6 +10,8 @@ use crate::lab::paper::ANCHORED;
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
 use crate::project::{self, SaveError, wire_text};
+use crate::show::objects::pair;
+use crate::show::value::Object;
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
 use crate::units::{shortest, significant, to_kn};
 use clap::Args;
@@ -312,11 +313,11 @@ struct ResultJson<'a> {
     test: TestJson,
     fit: FitJson,
     held_fixed: Vec<String>,
-    laboratory: Pair,
-    laboratory_standard_error: Pair,
+    laboratory: Object,
+    laboratory_standard_error: Object,
     residual: ResidualJson,
-    anchored_reference: Pair,
-    anchored_reference_standard_error: Pair,
+    anchored_reference: Object,
+    anchored_reference_standard_error: Object,
     anchored_reference_runs: usize,
     wire: &'a WireData,
 }
@@ -349,10 +350,8 @@ struct ResidualJson {
 
 impl<'a> ResultJson<'a> {
     fn of(r: &'a Result) -> ResultJson<'a> {
-        let both = |e: &Ensemble, part: fn(&Spread) -> f64| Pair {
-            F_kN: to_kn(part(&e.force)),
-            delta_m: part(&e.deflection),
-        };
+        let both =
+            |e: &Ensemble, part: fn(&Spread) -> f64| pair(part(&e.force), part(&e.deflection));
         ResultJson {
             version: VERSION,
             command: command(r.args),

@@ -1,10 +1,11 @@
 //! `meshcast sensitivity`: how the answer moves with each input.
 //!
 //! - [`text`]: tornadoes drawn in characters; [`both`]: those of forecast and check side by side;
-//!   [`data`]: JSON and CSV.
+//!   [`json`], [`csv`]: for programs.
 
 mod both;
-mod data;
+mod csv;
+mod json;
 mod text;
 
 use super::UiFlags;
@@ -41,6 +42,11 @@ struct Studied {
     checked: Option<CheckedSensitivity>,
 }
 
+/// The unit of an input's values for programs.
+fn unit(input: Input) -> &'static str {
+    if input.is_force() { "kN" } else { "m" }
+}
+
 /// Studies each layout and writes the result in the form asked for.
 pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
@@ -62,8 +68,8 @@ pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
     }
     let result = match args.format {
         TableFormat::Text => text::report(&studied, wanted.as_ref(), loaded.unit),
-        TableFormat::Json => data::json(&studied, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv => data::csv(&studied, wanted.is_some(), loaded.several),
+        TableFormat::Json => json::report(&studied, wanted.as_ref(), loaded.several)?,
+        TableFormat::Csv => csv::report(&studied, wanted.is_some(), loaded.several),
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

@@ -1,11 +1,13 @@
 //! `meshcast sweep`: one input over a range, or two over a grid.
 //!
 //! - [`text`]: a line plotted in characters; [`both`]: the same with checks; [`map`]: a grid as shaded
-//!   cells; [`data`]: JSON and CSV.
+//!   cells; [`json`], [`csv`] of its [`table`]: for programs.
 
 mod both;
-mod data;
+mod csv;
+mod json;
 mod map;
+mod table;
 mod text;
 
 use super::UiFlags;
@@ -166,8 +168,8 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
     }
     let result = match args.format {
         TableFormat::Text => text::report(&swept, wanted.as_ref(), loaded.unit),
-        TableFormat::Json => data::json(&swept, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv => data::csv(&swept, &grid, wanted.is_some(), loaded.several),
+        TableFormat::Json => json::report(&swept, wanted.as_ref(), loaded.several)?,
+        TableFormat::Csv => csv::report(&swept, &grid, wanted.is_some(), loaded.several),
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

@@ -1,0 +1,47 @@
+//! The points of a sweep as rows of a table.
+
+use super::Swept;
+use crate::show::columns::{self, CheckRow, PointRow, check_mean, check_more, point};
+use crate::show::table::Table;
+use crate::study::sweep::{Grid, SweepAxis};
+
+/// A point of a sweep.
+pub(super) struct SweptPoint<'a> {
+    name: Option<&'a str>,
+    first: f64,
+    second: Option<f64>,
+    point: PointRow<'a>,
+    /// Its check, where checks are asked for.
+    pub(super) check: Option<CheckRow<'a>>,
+}
+
+/// The points of a layout, along the first input, row after row.
+pub(super) fn rows(s: &Swept) -> impl Iterator<Item = SweptPoint<'_>> {
+    s.sweep.points.iter().enumerate().map(|(index, outcome)| {
+        let (first, second) = s.sweep.grid.at(index);
+        let point = PointRow::from(outcome);
+        let answer = s.checked.as_ref().and_then(|answers| answers.get(index));
+        let check = answer.map(|a| CheckRow::new(a, point.values, &s.case.question));
+        SweptPoint { name: s.name.as_deref(), first, second, point, check }
+    })
+}
+
+/// What is varied and what it gives.
+pub(super) fn table<'a>(grid: &Grid, named: bool) -> Table<'a, SweptPoint<'a>> {
+    let [force, deflection, utilisation, _, missing, warnings] = point();
+    let first = grid.first.input;
+    let second = |table: Table<'a, SweptPoint<'a>>, axis: &SweepAxis| {
+        let input = axis.input;
+        table.with(input.column(), move |p| p.second.map(|v| columns::input(input, v)).into())
+    };
+    let name = |p: &SweptPoint| p.name.map(String::from).into();
+    let table = Table::new().when(named, |table| table.with("layout", name));
+    let table = table.with(first.column(), move |p| columns::input(first, p.first));
+    let given = [force, deflection, utilisation, missing, warnings];
+    grid.second.iter().fold(table, second).part(given, |p| Some(&p.point))
+}
+
+/// The same with the checks.
+pub(super) fn with_checks<'a>(table: Table<'a, SweptPoint<'a>>) -> Table<'a, SweptPoint<'a>> {
+    table.part(check_mean(), |p| p.check.as_ref()).part(check_more(), |p| p.check.as_ref())
+}

@@ -1,0 +1,89 @@
+//! Tables that programs read: columns by their names, rows, and the two as CSV or as JSON objects.
+
+use super::value::{Column, Object, Value};
+use csv::{Terminator, WriterBuilder};
+
+/// A column with what stands in it, from any part of a row.
+type Get<'t, R> = Box<dyn Fn(&R) -> Value + 't>;
+
+/// The columns of a table, in their order.
+pub(crate) struct Table<'t, R> {
+    columns: Vec<(&'static str, Get<'t, R>)>,
+}
+
+impl<'t, R: 't> Table<'t, R> {
+    /// Without columns.
+    pub(crate) fn new() -> Table<'t, R> {
+        Table { columns: Vec::new() }
+    }
+
+    /// With a column.
+    pub(crate) fn with(
+        mut self,
+        name: &'static str,
+        get: impl Fn(&R) -> Value + 't,
+    ) -> Table<'t, R> {
+        self.columns.push((name, Box::new(get)));
+        self
+    }
+
+    /// With columns of a part of the row; empty where the row has no such part.
+    pub(crate) fn part<P: 't>(
+        self,
+        columns: impl IntoIterator<Item = Column<P>>,
+        part: impl Fn(&R) -> Option<&P> + Copy + 't,
+    ) -> Table<'t, R> {
+        columns.into_iter().fold(self, |table, (name, get)| {
+            table.with(name, move |row| part(row).map_or(Value::None, get))
+        })
+    }
+
+    /// With further columns if a condition holds.
+    pub(crate) fn when(
+        self,
+        condition: bool,
+        more: impl FnOnce(Table<'t, R>) -> Table<'t, R>,
+    ) -> Table<'t, R> {
+        if condition { more(self) } else { self }
+    }
+
+    /// A row as an object with the columns' names.
+    pub(crate) fn object(&self, row: &R) -> Object {
+        self.columns.iter().fold(Object::new(), |object, (name, get)| object.with(name, get(row)))
+    }
+
+    /// The names, then one line a row: lines end in a line feed, fields stand in quotes where RFC 4180
+    /// wants them; `between` codes.
+    pub(crate) fn csv(&self, rows: impl IntoIterator<Item = R>, between: &str) -> String {
+        let mut builder = WriterBuilder::new();
+        let mut out = builder.terminator(Terminator::Any(b'\n')).from_writer(Vec::new());
+        // Writing to memory cannot fail.
+        let _ = out.write_record(self.columns.iter().map(|column| column.0));
+        for row in rows {
+            let _ =
+                out.write_record(self.columns.iter().map(|column| column.1(&row).cell(between)));
+        }
+        let bytes = out.into_inner().unwrap_or_default();
+        String::from_utf8(bytes).unwrap_or_default()
+    }
+
+    /// Only the columns of these names.
+    pub(crate) fn only(mut self, names: &[&str]) -> Table<'t, R> {
+        self.columns.retain(|column| names.contains(&column.0));
+        self
+    }
+
+    /// The names, then one line a row, with tabs between the cells; blanks stand for tabs and line ends
+    /// in a text.
+    pub(crate) fn tabs(&self, rows: impl IntoIterator<Item = R>, between: &str) -> String {
+        let mut out = self.columns.iter().map(|column| column.0).collect::<Vec<_>>().join("\t");
+        out.push('\n');
+        for row in rows {
+            let cell = |get: &Get<'t, R>| get(&row).cell(between).replace(['\t', '\n', '\r'], " ");
+            let cells: Vec<String> = self.columns.iter().map(|column| cell(&column.1)).collect();
+            out.push_str(&cells.join("\t"));
+            out.push('\n');
+        }
+        out
+    }
+}
