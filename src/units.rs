@@ -297,10 +297,8 @@ pub(crate) mod file {
                     "{v} is not a finite number; write an ordinary number such as 0.32"
                 )));
             }
-            Ok(match self.0 {
-                Quantity::Force => super::from_kn(v),
-                _ => v,
-            })
+            let si = if self.0 == Quantity::Force { super::from_kn(v) } else { v };
+            if si.is_finite() { Ok(si) } else { Err(E::custom("the number is too large")) }
         }
     }
 
@@ -309,12 +307,8 @@ pub(crate) mod file {
 
         fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
             f.write_str(match self.0 {
-                Quantity::Length => {
-                    "a length: a number in metres, or text with a unit such as \"250 mm\""
-                }
-                Quantity::Force => {
-                    "a force: a number in kN, or text with a unit such as \"73.3 kN\""
-                }
+                Quantity::Length => "a length, a number in m or a text such as \"250 mm\",",
+                Quantity::Force => "a force, a number in kN or a text such as \"73.3 kN\",",
                 Quantity::Number => "a number",
             })
         }

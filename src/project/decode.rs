@@ -1,14 +1,19 @@
-//! Tree to project: checks fields and types, and says of each problem where it stands.
+//! Tree to project: the fields of a file, and the project that they make.
 
 use super::error::Found;
+use super::kept::{self, Kept};
+use super::read::soft::{Refused, Soft};
 use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project};
-use super::text::{Group, Node, NodeKind, Shape};
-use super::{inline_mesh, kept, words};
+use super::text::{Node, NodeKind, Shape};
+use super::{read, words};
 use crate::case::Input;
 use crate::layout::{BranchRule, REFERENCE};
+use crate::mesh::MeshType;
 use crate::problem::Problem;
-use crate::units::{self, LengthUnit, Quantity};
-use std::collections::HashMap;
+use crate::units::{self, LengthUnit};
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
+use std::fmt;
 use std::sync::Arc;
 
 /// Fields of a project, in the order in which they are written.
@@ -35,8 +40,86 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
 /// Fields of the display preferences.
 pub(crate) const DISPLAY_FIELDS: &[&str] = &["length_unit"];
 
-/// More problems than this are not looked for; a message shows a handful.
-const MOST_FOUND: usize = 200;
+/// A project as a file of the current version has it. Which fields cannot be left out is said in
+/// [`words::needed`].
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename = "Project", deny_unknown_fields)]
+pub(super) struct ProjectFile {
+    /// Looked at before all else, see [`version`].
+    version: Soft<Factor>,
+    name: Soft<String>,
+    site: Soft<String>,
+    notes: Soft<String>,
+    meshes: Soft<Vec<Soft<MeshUse>>>,
+    layouts: Soft<Vec<Soft<LayoutFile>>>,
+    display: Soft<DisplayFile>,
+}
+
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename = "Layout", deny_unknown_fields)]
+struct LayoutFile {
+    name: Soft<String>,
+    d: Soft<Length>,
+    #[serde(rename = "L")]
+    spacing: Soft<Length>,
+    #[serde(rename = "D")]
+    punch: Soft<Length>,
+    ex: Soft<Length>,
+    ey: Soft<Length>,
+    mesh: Soft<String>,
+    branch: Soft<BranchRule>,
+    design_force: Soft<Force>,
+    allowable_deflection: Soft<Length>,
+    gamma_resistance: Soft<Factor>,
+    gamma_load: Soft<Factor>,
+    overlay: Soft<bool>,
+    note: Soft<String>,
+    check: Soft<Kept>,
+}
+
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename = "Display", deny_unknown_fields)]
+struct DisplayFile {
+    length_unit: Soft<LengthUnit>,
+}
+
+/// Metres.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(transparent)]
+struct Length(#[serde(with = "units::file::length")] f64);
+
+/// Newtons.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(transparent)]
+struct Force(#[serde(with = "units::file::force")] f64);
+
+/// No unit.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(transparent)]
+struct Factor(#[serde(with = "units::file::number")] f64);
+
+impl<'de> Deserialize<'de> for MeshUse {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Reading;
+
+        impl<'de> Visitor<'de> for Reading {
+            type Value = MeshUse;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a mesh identifier in quotes, or a mesh in brackets,")
+            }
+            fn visit_str<E: Error>(self, id: &str) -> Result<MeshUse, E> {
+                Ok(MeshUse::Catalogue(id.to_string()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, fields: A) -> Result<MeshUse, A::Error> {
+                let mesh = MeshType::deserialize(MapAccessDeserializer::new(fields))?;
+                Ok(MeshUse::Inline(Arc::new(mesh)))
+            }
+        }
+
+        deserializer.deserialize_any(Reading)
+    }
+}
 
 /// Reads a tree of the current version as a project. The result is checked field by field, but not
 /// yet as a whole ([`Project::check`]).
@@ -44,279 +127,87 @@ const MOST_FOUND: usize = 200;
 /// # Errors
 /// Everything that is wrong.
 pub(crate) fn project(text: &str, root: &Node) -> Result<Project, Vec<Found>> {
-    let mut d = Decoder { text, found: Vec::new() };
-    let project = d.project(root);
-    match project {
-        Some(project) if d.found.is_empty() => Ok(project),
-        _ => Err(d.found),
-    }
+    let file: ProjectFile = read::values(text, root, "")
+        .map_err(|found| found.into_iter().map(kept::with_a_way_out).collect::<Vec<_>>())?;
+    file.project().map_err(|problems| {
+        problems.into_iter().map(|problem| Found::located(root, problem)).collect()
+    })
 }
 
-struct Decoder<'t> {
-    text: &'t str,
-    found: Vec<Found>,
-}
-
-/// The fields of one struct.
-struct Fields<'n> {
-    group: &'n Group,
-    path: String,
-}
-
-impl<'n> Fields<'n> {
-    fn get(&self, name: &str) -> Option<&'n Node> {
-        let entry = self.group.entries.iter().find(|e| e.key.as_ref().is_some_and(|k| k.0 == name));
-        entry.map(|e| &e.value)
+impl ProjectFile {
+    /// The project.
+    ///
+    /// # Errors
+    /// Kept checks that make no sense, by their path.
+    pub(super) fn project(self) -> Result<Project, Vec<Problem>> {
+        let mut problems = Vec::new();
+        match self.made(&mut problems) {
+            Ok(project) if problems.is_empty() => Ok(project),
+            // The reader has noted why and gives no file then.
+            Err(Refused) if problems.is_empty() => {
+                Err(vec![Problem::new("", "the file cannot be read")])
+            }
+            _ => Err(problems),
+        }
     }
 
-    fn path(&self, name: &str) -> String {
-        if self.path.is_empty() { name.to_string() } else { format!("{}.{name}", self.path) }
-    }
-}
-
-impl<'t> Decoder<'t> {
-    fn say(&mut self, at: usize, problem: Problem) {
-        self.found.push(Found::new(at, problem));
-    }
-
-    fn wrong_type(&mut self, node: &Node, path: &str, expected: &str) {
-        let shown = words::shorten(node.span.of(self.text));
-        let said = format!("{expected} is expected here");
-        self.say(node.span.start, Problem::new(path, said).value(shown));
-    }
-
-    fn project(&mut self, root: &Node) -> Option<Project> {
-        let f =
-            self.fields(root, "", PROJECT_FIELDS, &["version", "name", "layouts"], "Project")?;
-        let name = self.text(&f, "name").unwrap_or_default();
-        let site = self.text(&f, "site").unwrap_or_default();
-        let notes = self.text(&f, "notes").unwrap_or_default();
-        let meshes = self.list(&f, "meshes", |d, node, path| d.mesh(node, path));
-        let display = f.get("display").and_then(|n| self.display(n)).unwrap_or_default();
+    fn made(self, problems: &mut Vec<Problem>) -> Result<Project, Refused> {
+        self.version.needed()?;
+        let meshes = self.meshes.get()?.unwrap_or_default();
+        let display = self.display.get()?.map(|d| d.length_unit.get()).transpose()?.flatten();
         let mut project = Project {
             version: CURRENT_VERSION,
-            name,
-            site,
-            notes,
-            meshes,
+            name: self.name.needed()?,
+            site: self.site.get()?.unwrap_or_default(),
+            notes: self.notes.get()?.unwrap_or_default(),
+            meshes: meshes.into_iter().map(Soft::needed).collect::<Result<_, _>>()?,
             layouts: Vec::new(),
-            display,
+            display: Display { length_unit: display.unwrap_or_default() },
         };
-        let default_mesh = project.default_mesh().to_string();
-        project.layouts =
-            self.list(&f, "layouts", |d, node, path| d.layout(node, path, &default_mesh));
-        Some(project)
-    }
-
-    fn display(&mut self, node: &Node) -> Option<Display> {
-        let f = self.fields(node, "display", DISPLAY_FIELDS, &[], "Display")?;
-        let units = [("m", LengthUnit::Metre), ("mm", LengthUnit::Millimetre)];
-        Some(Display { length_unit: self.word(&f, "length_unit", &units).unwrap_or_default() })
-    }
-
-    fn mesh(&mut self, node: &Node, path: &str) -> Option<MeshUse> {
-        match &node.kind {
-            NodeKind::Text(id) => Some(MeshUse::Catalogue(id.clone())),
-            NodeKind::Group(g) if matches!(g.shape, Shape::Struct) => {
-                match inline_mesh::read(self.text, node, path) {
-                    Ok(mesh) => Some(MeshUse::Inline(Arc::new(mesh))),
-                    Err(found) => {
-                        self.found.push(found);
-                        None
-                    }
-                }
-            }
-            _ => {
-                self.wrong_type(node, path, "a mesh identifier in quotes, or a mesh in brackets,");
-                None
-            }
+        let mesh = project.default_mesh().to_string();
+        for (index, layout) in self.layouts.needed()?.into_iter().enumerate() {
+            let path = format!("layouts[{index}]");
+            project.layouts.push(layout.needed()?.layout(&mesh, &path, problems)?);
         }
+        Ok(project)
     }
+}
 
-    fn layout(&mut self, node: &Node, path: &str, default_mesh: &str) -> Option<NamedLayout> {
-        let f = self.fields(node, path, LAYOUT_FIELDS, &["name", "d", "L", "D"], "Layout")?;
-        let rules = [
-            (BranchRule::Published.word(), BranchRule::Published),
-            (BranchRule::Conservative.word(), BranchRule::Conservative),
-        ];
-        let name = self.text(&f, "name");
-        let check = self.optional(&f, "check").and_then(|node| {
-            kept::read(self.text, node.unwrapped(), &f.path("check"))
-                .map_err(|found| self.found.push(found))
-                .ok()
-        });
-        // A missing one is reported above, so the layout is read on only to find more.
-        let mut inputs = NamedLayout::new(name.clone().unwrap_or_default(), REFERENCE, "");
-        let mut complete = name.is_some();
-        for input in Input::LAYOUT {
-            let row = input.row();
-            let value = self.number(&f, row.name, row.quantity);
-            complete &= value.is_some() || input.clearable();
-            inputs.set(input, value);
-        }
-        complete.then_some(NamedLayout {
-            mesh: self.text(&f, "mesh").unwrap_or_else(|| default_mesh.to_string()),
-            branch: self.word(&f, "branch", &rules).unwrap_or_default(),
-            overlay: self.word(&f, "overlay", &[("true", true), ("false", false)]).unwrap_or(false),
-            note: self.text(&f, "note").unwrap_or_default(),
-            check: check.map(Arc::new),
-            ..inputs
-        })
-    }
-
-    /// The fields of a struct, after reporting unknown, repeated and missing ones.
-    fn fields<'n>(
-        &mut self,
-        node: &'n Node,
+impl LayoutFile {
+    fn layout(
+        self,
+        default_mesh: &str,
         path: &str,
-        known: &[&str],
-        required: &[&str],
-        name: &str,
-    ) -> Option<Fields<'n>> {
-        let inner = node.unwrapped();
-        let group = match &inner.kind {
-            NodeKind::Group(g)
-                if g.shape == Shape::Struct
-                    || (g.shape == Shape::Tuple && g.entries.is_empty()) =>
-            {
-                g
-            }
-            _ => {
-                self.wrong_type(node, path, "a group of fields in round brackets");
-                return None;
-            }
+        problems: &mut Vec<Problem>,
+    ) -> Result<NamedLayout, Refused> {
+        let mut check = None;
+        match self.check.get()?.map(Kept::result) {
+            Some(Ok(result)) => check = Some(Arc::new(result)),
+            Some(Err(problem)) => problems.push(problem.under("check").under(path)),
+            None => {}
+        }
+        let mesh = self.mesh.get()?.unwrap_or_else(|| default_mesh.to_string());
+        let mut layout = NamedLayout {
+            branch: self.branch.get()?.unwrap_or_default(),
+            overlay: self.overlay.get()?.unwrap_or(false),
+            note: self.note.get()?.unwrap_or_default(),
+            check,
+            ..NamedLayout::new(self.name.needed()?, REFERENCE, mesh)
         };
-        if let Some(other) = group.name.as_deref().filter(|n| *n != name) {
-            let said = format!("the name {other} stands before the bracket");
-            let advice = format!("leave it out, or write {name}");
-            self.say(inner.span.start, Problem::new(path, said).advice(advice));
+        for (input, value) in [
+            (Input::Plate, Some(self.d.needed()?.0)),
+            (Input::Spacing, Some(self.spacing.needed()?.0)),
+            (Input::Punch, Some(self.punch.needed()?.0)),
+            (Input::OffsetX, self.ex.get()?.map(|v| v.0)),
+            (Input::OffsetY, self.ey.get()?.map(|v| v.0)),
+            (Input::DesignForce, self.design_force.get()?.map(|v| v.0)),
+            (Input::AllowableDeflection, self.allowable_deflection.get()?.map(|v| v.0)),
+            (Input::GammaLoad, self.gamma_load.get()?.map(|v| v.0)),
+            (Input::GammaResistance, self.gamma_resistance.get()?.map(|v| v.0)),
+        ] {
+            layout.set(input, value);
         }
-        let fields = Fields { group, path: path.to_string() };
-        let mut seen: HashMap<&str, usize> = HashMap::new();
-        for entry in &group.entries {
-            let Some((key, span)) = &entry.key else { continue };
-            if !known.contains(&key.as_str()) {
-                self.say(span.start, words::unknown_field(&fields.path(key), key, known));
-            } else if let Some(first) = seen.get(key.as_str()) {
-                let (line, _) = super::text::line_column(self.text, *first);
-                let problem = Problem::new(fields.path(key), "this field is given twice")
-                    .value(words::shorten(entry.value.span.of(self.text)))
-                    .advice(format!("it also stands in line {line}; keep one"));
-                self.say(span.start, problem);
-            } else {
-                seen.insert(key, span.start);
-            }
-            if self.found.len() > MOST_FOUND {
-                return None;
-            }
-        }
-        for name in required.iter().filter(|n| fields.get(n).is_none()) {
-            let problem = Problem::new(fields.path(name), "this field is missing")
-                .advice(format!("add {name}: {}", words::example(name)));
-            self.say(inner.span.start, problem);
-        }
-        Some(fields)
-    }
-
-    fn list<T>(
-        &mut self,
-        f: &Fields,
-        name: &str,
-        mut read: impl FnMut(&mut Self, &Node, &str) -> Option<T>,
-    ) -> Vec<T> {
-        let Some(node) = f.get(name) else { return Vec::new() };
-        let path = f.path(name);
-        match &node.unwrapped().kind {
-            NodeKind::Group(g) if g.shape == Shape::List => g
-                .entries
-                .iter()
-                .enumerate()
-                .filter_map(|(k, e)| {
-                    let enough = self.found.len() > MOST_FOUND;
-                    if enough { None } else { read(self, &e.value, &format!("{path}[{k}]")) }
-                })
-                .collect(),
-            NodeKind::Word(word) if word == "None" => Vec::new(),
-            _ => {
-                self.wrong_type(node, &path, "a list in square brackets");
-                Vec::new()
-            }
-        }
-    }
-
-    /// The value of an optional field; nothing where it is left out or `None`.
-    fn optional<'n>(&mut self, f: &Fields<'n>, name: &str) -> Option<&'n Node> {
-        let node = f.get(name)?.unwrapped();
-        match &node.kind {
-            NodeKind::Word(word) if word == "None" => {
-                if matches!(name, "name" | "version" | "d" | "L" | "D") {
-                    self.wrong_type(node, &f.path(name), "a value");
-                }
-                None
-            }
-            _ => Some(node),
-        }
-    }
-
-    fn text(&mut self, f: &Fields, name: &str) -> Option<String> {
-        let node = self.optional(f, name)?;
-        match &node.kind {
-            NodeKind::Text(text) => Some(text.clone()),
-            _ => {
-                self.wrong_type(node, &f.path(name), "a text in double quotes");
-                None
-            }
-        }
-    }
-
-    fn word<T: Copy>(&mut self, f: &Fields, name: &str, words: &[(&str, T)]) -> Option<T> {
-        let node = self.optional(f, name)?;
-        let written = match &node.kind {
-            NodeKind::Word(word) | NodeKind::Text(word) => word.as_str(),
-            NodeKind::Bool(true) => "true",
-            NodeKind::Bool(false) => "false",
-            _ => "",
-        };
-        let value = words.iter().find(|w| w.0 == written).map(|w| w.1);
-        if value.is_none() {
-            let allowed: Vec<&str> = words.iter().map(|w| w.0).collect();
-            let problem = Problem::new(f.path(name), "this word is not known here")
-                .value(words::shorten(node.span.of(self.text)))
-                .allowed(allowed.join(" or "));
-            self.say(node.span.start, problem);
-        }
-        value
-    }
-
-    fn number(&mut self, f: &Fields, name: &str, quantity: Quantity) -> Option<f64> {
-        let node = self.optional(f, name)?;
-        let path = f.path(name);
-        let shown = words::shorten(node.span.of(self.text));
-        let (problem, advice) = match &node.kind {
-            NodeKind::Number(v) if v.is_finite() => {
-                let si = if quantity == Quantity::Force { units::from_kn(*v) } else { *v };
-                if si.is_finite() {
-                    return Some(si);
-                }
-                ("the number is too large".to_string(), String::new())
-            }
-            NodeKind::Number(v) if v.is_nan() => {
-                ("this is not a number".to_string(), "write an ordinary number".to_string())
-            }
-            NodeKind::Number(_) => {
-                ("the number is infinite".to_string(), "write an ordinary number".to_string())
-            }
-            NodeKind::Text(text) => match units::parse(text, quantity, LengthUnit::Metre) {
-                Ok(value) => return Some(value),
-                Err(e) => (e.to_string(), String::new()),
-            },
-            _ => (format!("{} is expected here", words::quantity(quantity)), String::new()),
-        };
-        let problem = Problem::new(&path, problem)
-            .value(shown)
-            .allowed(Input::named(name).map_or(String::new(), Input::allowed));
-        self.say(node.span.start, problem.advice(advice));
-        None
+        Ok(layout)
     }
 }
 
@@ -329,32 +220,27 @@ pub(super) const NEWER: &str =
 /// # Errors
 /// The one thing that is wrong with it.
 pub(crate) fn version(text: &str, root: &Node) -> Result<u32, Found> {
-    let missing = |at: usize| {
-        Found::new(
-            at,
-            Problem::new("version", "the format version is missing")
-                .allowed(format!("0 to {CURRENT_VERSION}"))
-                .advice(format!("put version: {CURRENT_VERSION}, first in the file")),
-        )
-    };
+    let allowed = format!("0 to {CURRENT_VERSION}");
     let is_struct = matches!(&root.kind, NodeKind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty());
     if !is_struct {
-        return Err(Found::new(
-            root.span.start,
-            Problem::new("", "this is no project")
-                .value(words::shorten(root.span.of(text)))
-                .advice("a project starts with (version: 1, name: ..."),
-        ));
+        let problem = Problem::new("", "this is no project")
+            .value(words::shorten(root.span.slice(text)))
+            .advice(format!("a project starts with (version: {CURRENT_VERSION}, name: ..."));
+        return Err(Found::new(root.span.start, problem));
     }
-    let Some(entry) = root.field("version") else { return Err(missing(root.span.start)) };
+    let Some(entry) = root.field("version") else {
+        let problem = Problem::new("version", "the format version is missing")
+            .allowed(allowed)
+            .advice(format!("put version: {CURRENT_VERSION}, first in the file"));
+        return Err(Found::new(root.span.start, problem));
+    };
     let node = entry.value.unwrapped();
-    let wrong = |said: String| {
-        Found::new(
-            entry.span().start,
-            Problem::new("version", said)
-                .value(words::shorten(node.span.of(text)))
-                .allowed(format!("0 to {CURRENT_VERSION}")),
-        )
+    let wrong = |said: &str, advice: &str| {
+        let problem = Problem::new("version", said)
+            .value(words::shorten(node.span.slice(text)))
+            .allowed(allowed)
+            .advice(advice);
+        Err(Found::new(entry.span().start, problem))
     };
     match node.kind {
         NodeKind::Number(v) if v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&v) => {
@@ -363,17 +249,20 @@ pub(crate) fn version(text: &str, root: &Node) -> Result<u32, Found> {
             if version <= CURRENT_VERSION {
                 return Ok(version);
             }
-            let mut found = wrong(NEWER.to_string());
-            found.problem.advice = "use the newer meshcast; the file is left as it is".to_string();
-            Err(found)
+            wrong(NEWER, "use the newer meshcast; the file is left as it is")
         }
-        _ => Err(wrong("the format version is a whole number".to_string())),
+        _ => wrong("the format version is a whole number", ""),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::wire::{Distortion, NetGeometry, WireData};
+    use crate::mesh::{LabRecord, RatioRecord};
+    use crate::project::text::parser::parse;
+    use crate::project::write::ron_options;
+    use serde::de::DeserializeOwned;
 
     #[test]
     fn slips_and_other_names_lead_to_the_field() {
@@ -390,5 +279,97 @@ mod tests {
         }
         assert_eq!(words::closest("layout", PROJECT_FIELDS), Some("layouts"));
         assert_eq!(words::closest("weather_forecast", LAYOUT_FIELDS), None);
+    }
+
+    /// What is wrong with a text, first the problem's field.
+    fn wrong<T: DeserializeOwned>(text: &str) -> Vec<(String, Problem)> {
+        let tree = parse(text).unwrap();
+        let found = read::values::<T>(text, &tree.root, "").err().unwrap_or_default();
+        found.into_iter().map(|f| (f.problem.field.clone(), *f.problem)).collect()
+    }
+
+    #[test]
+    fn what_is_read_is_what_is_written() {
+        let allowed = |found: &[(String, Problem)]| found.last().unwrap().1.allowed.clone();
+        assert_eq!(allowed(&wrong::<ProjectFile>("(zz: 1)")), PROJECT_FIELDS.join(", "));
+        assert_eq!(allowed(&wrong::<LayoutFile>("(zz: 1)")), LAYOUT_FIELDS.join(", "));
+        assert_eq!(allowed(&wrong::<DisplayFile>("(zz: 1)")), DISPLAY_FIELDS.join(", "));
+    }
+
+    /// The fields said to be needed are so, and no others; what is shown as an example can be read.
+    fn fields_needed<T: DeserializeOwned>(holder: &str, soft: bool) {
+        let needed = words::needed(holder);
+        assert!(!needed.is_empty(), "{holder}");
+        let example = |n: &str| words::example(n).split(" (strain").next().unwrap().to_string();
+        let without = |left_out: &str| {
+            let fields = needed.iter().filter(|n| **n != left_out);
+            let fields: Vec<String> = fields.map(|n| format!("{n}: {}", example(n))).collect();
+            format!("({})", fields.join(", "))
+        };
+        assert_eq!(wrong::<T>(&without("")), [], "{holder}: {}", without(""));
+        for name in needed {
+            let found = wrong::<T>(&without(name));
+            assert_eq!(found.len(), 1, "{holder}.{name}: {found:?}");
+            assert_eq!(found[0].0, *name);
+            // Soft fields are needed because the table says so, the others because serde does.
+            let ron = ron_options().from_str::<T>(&without(name));
+            assert_eq!(ron.is_ok(), soft, "{holder}.{name}");
+        }
+    }
+
+    #[test]
+    fn the_table_of_needed_fields_is_that_of_the_structs() {
+        fields_needed::<ProjectFile>("Project", true);
+        fields_needed::<LayoutFile>("Layout", true);
+        fields_needed::<MeshType>("MeshType", false);
+        fields_needed::<LabRecord>("LabRecord", false);
+        fields_needed::<RatioRecord>("RatioRecord", false);
+        fields_needed::<WireData>("WireData", false);
+        fields_needed::<NetGeometry>("NetGeometry", false);
+        fields_needed::<Distortion>("Distortion", false);
+        assert_eq!(words::example("version"), CURRENT_VERSION.to_string());
+        let inputs = Input::LAYOUT.into_iter().filter(|i| !i.clearable()).map(|i| i.row().name);
+        let needed: Vec<&str> = ["name"].into_iter().chain(inputs).collect();
+        assert_eq!(words::needed("Layout"), needed);
+        assert!(Input::LAYOUT.into_iter().all(|i| LAYOUT_FIELDS.contains(&i.row().name)));
+    }
+
+    #[test]
+    fn names_kept_for_later_versions_are_said_to_be_so() {
+        for (holder, names) in words::RESERVED {
+            for name in *names {
+                let text = format!("({name}: 1)");
+                let found = match *holder {
+                    "Project" => wrong::<ProjectFile>(&text),
+                    _ => wrong::<LayoutFile>(&text),
+                };
+                let said = &found.iter().find(|(field, _)| field == name).unwrap().1;
+                assert!(said.message.contains("does not know yet"), "{said}");
+                assert!(said.advice.contains("take the field out"), "{said}");
+                assert!(!LAYOUT_FIELDS.contains(name) && !PROJECT_FIELDS.contains(name), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn all_that_is_wrong_is_said_at_once() {
+        let text = "(version: 2, name: 7, meshes: [(id: \"m\", laboratory: (force: [1], sauce: 2))], \
+                    layouts: [(name: \"a\", d: true, D: 1, note: 3, note: 4), (L: 3)])";
+        let fields: Vec<String> = wrong::<ProjectFile>(text).into_iter().map(|f| f.0).collect();
+        let due = [
+            "name",
+            "meshes[0].laboratory.deflection",
+            "meshes[0].laboratory.statistic",
+            "meshes[0].laboratory.source",
+            "meshes[0].laboratory.force",
+            "layouts[0].L",
+            "layouts[0].d",
+            "layouts[0].note",
+            "layouts[0].note",
+            "layouts[1].name",
+            "layouts[1].d",
+            "layouts[1].D",
+        ];
+        assert_eq!(fields, due);
     }
 }

@@ -2,10 +2,11 @@
 
 use super::error::LoadError;
 use super::load::{Parsed, decode_utf8, parse_text, read_bytes};
+use super::patch;
 use super::patch::Rendered;
 use super::schema::Project;
 use super::text::Tree;
-use super::{patch, write};
+use super::write::{self, Unwritable};
 use std::path::{Path, PathBuf};
 
 /// A project just opened.
@@ -92,16 +93,19 @@ impl Document {
 
     /// The text of an edited project: the old one with nothing but the changes made, or the clean
     /// form where that is not possible. What was not edited comes back byte for byte.
-    pub fn render(&self, project: &Project) -> Rendered {
+    ///
+    /// # Errors
+    /// Names what cannot be written.
+    pub fn render(&self, project: &Project) -> Result<Rendered, Unwritable> {
         if !self.is_edited(project) {
-            return Rendered { text: self.text.clone(), comments_kept: true };
+            return Ok(Rendered { text: self.text.clone(), comments_kept: true });
         }
         match patch::patch(&self.text, &self.tree, &self.base, project) {
-            Some(rendered) if holds(&rendered.text, project) => rendered,
-            _ => Rendered {
-                text: write::project(project),
+            Some(rendered) if holds(&rendered.text, project) => Ok(rendered),
+            _ => Ok(Rendered {
+                text: write::project(project)?,
                 comments_kept: self.tree.comments.is_empty(),
-            },
+            }),
         }
     }
 }

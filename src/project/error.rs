@@ -1,6 +1,7 @@
 //! What is said when a file cannot be opened: one screen, whatever is wrong with the file.
 
-use super::text::{Tree, line_column};
+use super::text::parser::SyntaxError;
+use super::text::{Node, Tree, line_column};
 use crate::problem::Problem;
 use std::fmt;
 use std::path::Path;
@@ -37,6 +38,17 @@ impl Found {
     /// A problem at a place.
     pub(crate) fn new(at: usize, problem: Problem) -> Self {
         Found { at: Some(at), problem: Box::new(problem) }
+    }
+
+    /// A problem at the place that its field leads to.
+    pub(crate) fn located(root: &Node, problem: Problem) -> Self {
+        Found::new(root.locate(&problem.field).start, problem)
+    }
+}
+
+impl From<SyntaxError> for Found {
+    fn from(error: SyntaxError) -> Self {
+        Found { at: Some(error.at), problem: error.problem }
     }
 }
 

@@ -7,7 +7,9 @@
 use super::document::{self, Opened};
 use super::error::LoadError;
 use super::load;
+use super::read;
 use super::save::write_atomically;
+use super::text::parser;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
@@ -156,7 +158,11 @@ impl Home {
         let file = self.state_file().filter(|f| f.is_file());
         let bytes = file.and_then(|file| load::read_bytes(&file).ok());
         let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
-        text.and_then(|text| ron::from_str(&text).ok()).unwrap_or_default()
+        let read = |text: String| {
+            let tree = parser::parse(&text).ok()?;
+            read::what_is_known(&text, &tree.root)
+        };
+        text.and_then(read).unwrap_or_default()
     }
 }
 

@@ -3,25 +3,27 @@
 //! result.
 
 use super::error::Found;
-use super::inline_mesh::ron_options;
-use super::text::Node;
+use super::write::{self, Unwritable};
 use crate::curve::{Curve, Point};
 use crate::dem::Fidelity;
 use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
-use crate::study::result::{CheckResult, FirstBreak, Revisions, Wanted, mean, rounded};
+use crate::study::result::{CheckResult, FirstBreak, Later, Revisions, Wanted, mean, rounded};
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
 
 /// Most runs whose first breaks a file may hold.
 const MOST_BREAKS: usize = 10_000;
 
+/// What always helps with a kept check that is wrong.
+const WAY_OUT: &str = "take this field out of the file; c in the program makes the check again";
+
 /// The line's fields.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename = "Check", deny_unknown_fields)]
-struct Kept {
+pub(super) struct Kept {
     /// Revisions of solver and sampling, and fingerprint of all inputs.
     by: String,
     inputs: String,
@@ -56,6 +58,13 @@ struct Kept {
     /// shaking, error estimate.
     quality: [f64; 6],
     warnings: Vec<String>,
+    /// What later versions note, see [`Later`]; left out where there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    arrangement: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    strata: Option<Vec<Vec<f64>>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fractiles: Option<Vec<Vec<f64>>>,
 }
 
 /// A force as the file holds it.
@@ -72,143 +81,181 @@ fn spread_back(v: [f64; 5], unit: fn(f64) -> f64) -> Spread {
     Spread { mean, deviation, error, band: [low, high] }
 }
 
-/// A result as RON on one line.
-pub(crate) fn write(v: &CheckResult) -> String {
-    let q = &v.quality;
-    let kept = Kept {
-        by: v.by.to_string(),
-        inputs: v.inputs.to_string(),
-        fidelity: v.wanted.fidelity,
-        asked: v.wanted.runs.unwrap_or(0),
-        seed: v.wanted.seed,
-        runs: v.runs,
-        slipped: v.slipped,
-        force: spread(&v.force, kn),
-        delta: spread(&v.deflection, rounded),
-        peak: [kn(v.peak.force), rounded(v.peak.deflection)],
-        k75: kn(v.k75),
-        energy: rounded(v.energy),
-        end: v.curve.failure.map(|p| [kn(p.force), rounded(p.deflection)]),
-        curve_delta: v.curve.deflection.iter().copied().map(rounded).collect(),
-        curve_force: v.curve.force.iter().copied().map(kn).collect(),
-        low: v.band[0].iter().copied().map(kn).collect(),
-        high: v.band[1].iter().copied().map(kn).collect(),
-        breaks: v
-            .breaks
-            .iter()
-            .map(|b| {
-                let twist = if b.twist { 1.0 } else { 0.0 };
-                let [x, y] = b.place.map(rounded);
-                [kn(b.at.force), rounded(b.at.deflection), x, y, twist]
-            })
-            .collect(),
-        quality: [
-            q.kinetic_over_internal,
-            q.energy_balance,
-            q.support_over_punch,
-            q.last_utilisation,
-            q.shaking,
-            q.error_estimate,
-        ]
-        .map(rounded),
-        warnings: v.warnings.clone(),
-    };
-    let text = ron_options().to_string(&kept).unwrap_or_default();
-    // The writer names the extension that is on anyway.
-    text.strip_prefix("#![enable(implicit_some)]").map_or(text.clone(), |t| t.trim().to_string())
-}
-
-/// Reads the result of a node.
+/// The result of a layout's check as RON on one line.
 ///
 /// # Errors
-/// What is wrong with it; taking the whole field out of the file always helps.
-pub(crate) fn read(text: &str, node: &Node, path: &str) -> Result<CheckResult, Found> {
-    let wrong = |said: String| {
-        let problem = Problem::new(path, said)
-            .advice("take this field out of the file; c in the program makes the check again");
-        Found::new(node.span.start, problem)
+/// One that could not be read back is not written; `layout` is the layout's name.
+pub(super) fn write(v: &CheckResult, layout: &str) -> Result<String, Unwritable> {
+    let kept = Kept::new(v);
+    let why = match kept.sound() {
+        Ok(()) => match write::compact(&kept) {
+            Ok(text) => return Ok(text),
+            Err(error) => error.to_string(),
+        },
+        Err(why) => why.to_string(),
     };
-    let kept: Kept = ron_options()
-        .from_str(node.span.of(text))
-        .map_err(|e| wrong(format!("this kept check cannot be read: {}", e.code)))?;
-    back(kept).map_err(|said| wrong(format!("this kept check makes no sense: {said}")))
+    Err(Unwritable { what: format!("the check of layout {layout:?}"), why })
 }
 
-fn back(k: Kept) -> Result<CheckResult, &'static str> {
-    let inputs = u64::from_str_radix(&k.inputs, 16).map_err(|_| "inputs is no fingerprint")?;
-    let lists = [&k.curve_delta, &k.curve_force, &k.low, &k.high];
-    let numbers = lists.iter().flat_map(|list| list.iter());
-    let figures = k.force.iter().chain(&k.delta).chain(&k.peak).chain(&k.quality);
-    let breaks = k.breaks.iter().flatten();
-    let all = numbers.chain(figures).chain(breaks).chain(k.end.iter().flatten());
-    if !all.chain([&k.k75, &k.energy]).all(|v| v.is_finite()) {
-        return Err("a value is no number");
+/// A problem inside a kept check with what always helps; any other as it is.
+pub(super) fn with_a_way_out(mut found: Found) -> Found {
+    let inside = |field: &str| {
+        let rest = field.strip_prefix("layouts[")?.split_once("].check")?.1;
+        Some(rest.is_empty() || rest.starts_with(['.', '[']))
+    };
+    if inside(&found.problem.field) == Some(true) {
+        found.problem.message =
+            format!("this kept check cannot be read: {}", found.problem.message);
+        found.problem.advice = WAY_OUT.to_string();
     }
-    if k.curve_delta.len() > mean::POINTS {
-        return Err("the curve has more than 60 points");
+    found
+}
+
+impl Kept {
+    fn new(v: &CheckResult) -> Kept {
+        let q = &v.quality;
+        Kept {
+            by: v.by.to_string(),
+            inputs: v.inputs.to_string(),
+            fidelity: v.wanted.fidelity,
+            asked: v.wanted.runs.unwrap_or(0),
+            seed: v.wanted.seed,
+            runs: v.runs,
+            slipped: v.slipped,
+            force: spread(&v.force, kn),
+            delta: spread(&v.deflection, rounded),
+            peak: [kn(v.peak.force), rounded(v.peak.deflection)],
+            k75: kn(v.k75),
+            energy: rounded(v.energy),
+            end: v.curve.failure.map(|p| [kn(p.force), rounded(p.deflection)]),
+            curve_delta: v.curve.deflection.iter().copied().map(rounded).collect(),
+            curve_force: v.curve.force.iter().copied().map(kn).collect(),
+            low: v.band[0].iter().copied().map(kn).collect(),
+            high: v.band[1].iter().copied().map(kn).collect(),
+            breaks: v
+                .breaks
+                .iter()
+                .map(|b| {
+                    let twist = if b.twist { 1.0 } else { 0.0 };
+                    let [x, y] = b.place.map(rounded);
+                    [kn(b.at.force), rounded(b.at.deflection), x, y, twist]
+                })
+                .collect(),
+            quality: [
+                q.kinetic_over_internal,
+                q.energy_balance,
+                q.support_over_punch,
+                q.last_utilisation,
+                q.shaking,
+                q.error_estimate,
+            ]
+            .map(rounded),
+            warnings: v.warnings.clone(),
+            arrangement: v.later.arrangement.clone(),
+            strata: v.later.strata.clone(),
+            fractiles: v.later.fractiles.clone(),
+        }
     }
-    if k.curve_force.len() != k.curve_delta.len() {
-        return Err("curve_delta and curve_F have different lengths");
+
+    /// Whether the figures make sense together.
+    fn sound(&self) -> Result<(), &'static str> {
+        let lists = [&self.curve_delta, &self.curve_force, &self.low, &self.high];
+        let numbers = lists.iter().flat_map(|list| list.iter());
+        let later = self.strata.iter().chain(&self.fractiles).flatten().flatten();
+        let figures = self.force.iter().chain(&self.delta).chain(&self.peak).chain(&self.quality);
+        let breaks = self.breaks.iter().flatten();
+        let all =
+            numbers.chain(later).chain(figures).chain(breaks).chain(self.end.iter().flatten());
+        if !all.chain([&self.k75, &self.energy]).all(|v| v.is_finite()) {
+            return Err("a value is no number");
+        }
+        if self.curve_delta.len() > mean::POINTS {
+            return Err("the curve has more than 60 points");
+        }
+        if self.curve_force.len() != self.curve_delta.len() {
+            return Err("curve_delta and curve_F have different lengths");
+        }
+        let fits = |l: &Vec<f64>| l.is_empty() || l.len() == self.curve_delta.len();
+        if !fits(&self.low) || !fits(&self.high) {
+            return Err("low or high does not fit the curve");
+        }
+        if !self.curve_delta.windows(2).all(|w| w[0] < w[1]) {
+            return Err("curve_delta must rise");
+        }
+        if self.breaks.len() > MOST_BREAKS || self.asked > MOST_BREAKS.max(MOST) {
+            return Err("it has too many runs");
+        }
+        Ok(())
     }
-    if [&k.low, &k.high].iter().any(|l| !l.is_empty() && l.len() != k.curve_delta.len()) {
-        return Err("low or high does not fit the curve");
+
+    /// The result.
+    ///
+    /// # Errors
+    /// Why it makes no sense.
+    pub(super) fn result(self) -> Result<CheckResult, Problem> {
+        let wrong = |why: &str| {
+            Problem::new("", format!("this kept check makes no sense: {why}")).advice(WAY_OUT)
+        };
+        self.sound().map_err(wrong)?;
+        let inputs =
+            u64::from_str_radix(&self.inputs, 16).map_err(|_| wrong("inputs is no fingerprint"))?;
+        Ok(self.into_result(Fingerprint(inputs)))
     }
-    if !k.curve_delta.windows(2).all(|w| w[0] < w[1]) {
-        return Err("curve_delta must rise");
-    }
-    if k.breaks.len() > MOST_BREAKS || k.asked > MOST_BREAKS.max(MOST) {
-        return Err("it has too many runs");
-    }
-    let newtons = |list: Vec<f64>| list.into_iter().map(from_kn).collect::<Vec<f64>>();
-    let point = |[force, deflection]: [f64; 2]| Point { deflection, force: from_kn(force) };
-    let [
-        kinetic_over_internal,
-        energy_balance,
-        support_over_punch,
-        last_utilisation,
-        shaking,
-        error,
-    ] = k.quality;
-    Ok(CheckResult {
-        wanted: Wanted {
-            fidelity: k.fidelity,
-            runs: (k.asked > 0).then_some(k.asked),
-            seed: k.seed,
-        },
-        inputs: Fingerprint(inputs),
-        by: Revisions::from_text(&k.by),
-        runs: k.runs,
-        slipped: k.slipped,
-        force: spread_back(k.force, from_kn),
-        deflection: spread_back(k.delta, |v| v),
-        peak: point(k.peak),
-        k75: from_kn(k.k75),
-        energy: k.energy,
-        curve: Curve {
-            deflection: k.curve_delta,
-            force: newtons(k.curve_force),
-            failure: k.end.map(point),
-        },
-        band: [newtons(k.low), newtons(k.high)],
-        breaks: k
-            .breaks
-            .into_iter()
-            .map(|[force, deflection, x, y, twist]| FirstBreak {
-                at: point([force, deflection]),
-                place: [x, y],
-                twist: twist != 0.0,
-            })
-            .collect(),
-        quality: Quality {
+
+    fn into_result(self, inputs: Fingerprint) -> CheckResult {
+        let k = self;
+        let newtons = |list: Vec<f64>| list.into_iter().map(from_kn).collect::<Vec<f64>>();
+        let point = |[force, deflection]: [f64; 2]| Point { deflection, force: from_kn(force) };
+        let [
             kinetic_over_internal,
             energy_balance,
             support_over_punch,
             last_utilisation,
             shaking,
-            error_estimate: error,
-        },
-        warnings: k.warnings,
-    })
+            error,
+        ] = k.quality;
+        CheckResult {
+            wanted: Wanted {
+                fidelity: k.fidelity,
+                runs: (k.asked > 0).then_some(k.asked),
+                seed: k.seed,
+            },
+            inputs,
+            by: Revisions::from_text(&k.by),
+            runs: k.runs,
+            slipped: k.slipped,
+            force: spread_back(k.force, from_kn),
+            deflection: spread_back(k.delta, |v| v),
+            peak: point(k.peak),
+            k75: from_kn(k.k75),
+            energy: k.energy,
+            curve: Curve {
+                deflection: k.curve_delta,
+                force: newtons(k.curve_force),
+                failure: k.end.map(point),
+            },
+            band: [newtons(k.low), newtons(k.high)],
+            breaks: k
+                .breaks
+                .into_iter()
+                .map(|[force, deflection, x, y, twist]| FirstBreak {
+                    at: point([force, deflection]),
+                    place: [x, y],
+                    twist: twist != 0.0,
+                })
+                .collect(),
+            quality: Quality {
+                kinetic_over_internal,
+                energy_balance,
+                support_over_punch,
+                last_utilisation,
+                shaking,
+                error_estimate: error,
+            },
+            warnings: k.warnings,
+            later: Later { arrangement: k.arrangement, strata: k.strata, fractiles: k.fractiles },
+        }
+    }
 }
 
 #[cfg(test)]
@@ -217,12 +264,16 @@ mod tests {
     use crate::dem::Flow;
     use crate::layout::{Layout, REFERENCE};
     use crate::mesh::catalogue;
+    use crate::project::read;
     use crate::project::text::parser::parse;
     use crate::study::result::make::make;
 
-    fn read_back(text: &str) -> Result<CheckResult, Found> {
+    fn read_back(text: &str) -> Result<CheckResult, Vec<Problem>> {
         let tree = parse(text).unwrap();
-        read(text, tree.root.unwrapped(), "layouts[0].check")
+        let kept = read::values::<Kept>(text, &tree.root, "layouts[0].check").map_err(|found| {
+            found.into_iter().map(|f| *with_a_way_out(f).problem).collect::<Vec<_>>()
+        })?;
+        kept.result().map_err(|problem| vec![problem.under("layouts[0].check")])
     }
 
     #[test]
@@ -230,7 +281,7 @@ mod tests {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 };
         let made = make(&layout, &catalogue::reference(), &wanted, 1, &|_| Flow::Continue).unwrap();
-        let text = write(&made.result);
+        let text = write(&made.result, "a").unwrap();
         assert!(!text.contains('\n') && text.len() < 3_000, "{} bytes: {text}", text.len());
         assert_eq!(read_back(&text).unwrap(), made.result);
     }
@@ -241,7 +292,7 @@ mod tests {
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: 3 };
         let mesh = catalogue::reference();
         let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
-        let text = write(&made.result);
+        let text = write(&made.result, "a").unwrap();
         for (from, to) in [
             ("curve_delta:[", "curve_delta:[9.0,"),
             ("seed:3", "seed:-3"),
@@ -250,10 +301,42 @@ mod tests {
         ] {
             let bad = text.replacen(from, to, 1);
             assert_ne!(bad, text, "{from}");
-            let found = read_back(&bad).unwrap_err();
-            let said = found.problem.to_string();
-            assert!(said.contains("take this field out"), "{said}");
-            assert!(said.contains("layouts[0].check"), "{said}");
+            for problem in read_back(&bad).unwrap_err() {
+                let said = problem.to_string();
+                assert!(said.contains("take this field out"), "{said}");
+                assert!(said.contains("layouts[0].check"), "{said}");
+            }
         }
+    }
+
+    #[test]
+    fn what_later_versions_note_is_kept_as_it_is() {
+        let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: u64::MAX };
+        let mesh = catalogue::reference();
+        let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
+        let text = write(&made.result, "a").unwrap();
+        assert!(!text.contains("arrangement"), "{text}");
+        let later = "arrangement: \"mirrored\", strata: [[0.25, 31.5], [0.75, 33.0]], \
+                     fractiles: [[0.05, 28.1, 0.61]])";
+        let text = format!("{},{later}", text.strip_suffix(')').unwrap());
+        let result = read_back(&text).unwrap();
+        assert_eq!(result.later.arrangement.as_deref(), Some("mirrored"));
+        assert_eq!(result.later.strata, Some(vec![vec![0.25, 31.5], vec![0.75, 33.0]]));
+        let again = write(&result, "a").unwrap();
+        assert_eq!(read_back(&again).unwrap(), result);
+        assert!(again.ends_with("fractiles:[[0.05,28.1,0.61]])"), "{again}");
+    }
+
+    #[test]
+    fn a_result_that_could_not_be_read_back_is_not_written() {
+        let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: 3 };
+        let mesh = catalogue::reference();
+        let mut result = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap().result;
+        result.curve.deflection[1] = result.curve.deflection[0];
+        let error = write(&result, "bench 1").unwrap_err().to_string();
+        let due = "the check of layout \"bench 1\" cannot be written: curve_delta must rise";
+        assert_eq!(error, due);
     }
 }

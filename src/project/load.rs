@@ -2,9 +2,9 @@
 
 use super::decode;
 use super::error::{Cause, FileFault, Found, LoadError};
+use super::migrate;
 use super::schema::{CURRENT_VERSION, Project};
 use super::text::{self, Tree, parser};
-use super::{inline_mesh, migrate};
 use crate::problem::Problem;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
@@ -90,8 +90,10 @@ pub(super) fn decode_utf8(bytes: Vec<u8>, shown: &str) -> Result<String, LoadErr
 /// Text to project.
 pub(super) fn parse_text(text: &str, shown: &str) -> Result<Parsed, LoadError> {
     if text.trim_start_matches('\u{feff}').trim().is_empty() {
-        let advice = "a project starts with (version: 1, name: ...; meshcast new PATH makes one";
-        let fault = FileFault::whole("the file is empty", advice.to_string());
+        let advice = format!(
+            "a project starts with (version: {CURRENT_VERSION}, name: ...; meshcast new PATH makes one"
+        );
+        let fault = FileFault::whole("the file is empty", advice);
         return Err(LoadError::new(shown, Cause::BadInput, vec![fault]));
     }
     let mut reading = Reading { shown, text: text.to_string(), migrated_from: None };
@@ -107,12 +109,8 @@ pub(super) fn parse_text(text: &str, shown: &str) -> Result<Parsed, LoadError> {
     }
     let project = decode::project(&reading.text, &tree.root)
         .map_err(|found| reading.refuse(found, Some(&tree)))?;
-    if let Some(found) = inline_mesh::second_opinion(&reading.text, &tree.root) {
-        return Err(reading.refuse(vec![found], Some(&tree)));
-    }
     project.check().map_err(|problems| {
-        let place = |p: &Problem| Some(tree.root.locate(&p.field).start);
-        let found = |p: Problem| Found { at: place(&p), problem: Box::new(p) };
+        let found = |p: Problem| Found::located(&tree.root, p);
         reading.refuse(problems.into_iter().map(found).collect(), Some(&tree))
     })?;
     let Reading { text, migrated_from, .. } = reading;
@@ -129,8 +127,7 @@ struct Reading<'s> {
 
 impl Reading<'_> {
     fn tree(&self) -> Result<Tree, LoadError> {
-        parser::parse(&self.text)
-            .map_err(|e| self.refuse(vec![Found { at: Some(e.at), problem: e.problem }], None))
+        parser::parse(&self.text).map_err(|e| self.refuse(vec![e.into()], None))
     }
 
     fn refuse(&self, mut found: Vec<Found>, tree: Option<&Tree>) -> LoadError {

@@ -8,18 +8,18 @@
 //! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
-//! - [`migrate`]: older formats. [`text`]: the reader below all this.
+//! - [`migrate`]: older formats. `read`: from a tree to values; [`text`]: from a text to a tree.
 
 pub(crate) mod check;
 pub(crate) mod decode;
 pub(crate) mod document;
 pub(crate) mod error;
 pub(crate) mod home;
-mod inline_mesh;
 mod kept;
 mod load;
 pub(crate) mod migrate;
 pub(crate) mod patch;
+mod read;
 pub(crate) mod recovery;
 pub(crate) mod save;
 pub mod schema;

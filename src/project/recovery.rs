@@ -31,9 +31,9 @@ impl Document {
     /// data directory.
     ///
     /// # Errors
-    /// What the system said, where neither place could be written.
+    /// What the system said, where neither place could be written, or what cannot be written.
     pub fn keep(&self, project: &Project, home: &Home) -> io::Result<PathBuf> {
-        let text = self.render(project).text;
+        let text = self.render(project).map_err(io::Error::other)?.text;
         let mut last = io::Error::from(io::ErrorKind::NotFound);
         for place in places(self.path(), home) {
             if let Some(parent) = place.parent().filter(|_| home.owns(&place)) {
@@ -54,6 +54,8 @@ impl Document {
             .into_iter()
             .filter_map(|path| read(&path))
             .filter(|recovery| recovery.text != self.text)
+            // In a file of an older version the text is the migrated one.
+            .filter(|recovery| Some(&recovery.text) != self.on_disk.as_ref())
             .max_by_key(|recovery| recovery.written)
     }
 

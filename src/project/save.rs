@@ -4,6 +4,7 @@ use super::document::{Document, holds};
 use super::load;
 use super::patch::Rendered;
 use super::schema::Project;
+use super::write::Unwritable;
 use crate::problem::Problem;
 use atomic_write_file::OpenOptions;
 use std::fs::{self, File};
@@ -53,6 +54,9 @@ pub enum SaveError {
     /// The project itself is wrong.
     #[error("the project cannot be saved: {}", list(.0))]
     Unsound(Vec<Problem>),
+    /// No file can hold a part of the project.
+    #[error("the project cannot be saved: {0}")]
+    Unwritable(#[from] Unwritable),
     /// The system refused.
     #[error("{} cannot be saved: {}; nothing was changed", .path.display(), explain(.error))]
     Io {
@@ -138,7 +142,7 @@ impl Document {
 
     fn checked_text(&self, project: &Project) -> Result<Rendered, SaveError> {
         project.check().map_err(SaveError::Unsound)?;
-        let rendered = self.render(project);
+        let rendered = self.render(project)?;
         if !holds(&rendered.text, project) {
             let problem = Problem::new("", "the file would not hold what is on the screen");
             return Err(SaveError::Unsound(vec![problem]));

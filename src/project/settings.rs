@@ -6,10 +6,10 @@
 use super::error::{Cause, FileFault, Found, LoadError};
 use super::home::Home;
 use super::load;
+use super::read::{Path, Reader};
 use super::save::{resolve, write_atomically};
-use super::text::{NodeKind, Shape, Tree, parser};
+use super::text::{NodeKind, Tree, parser};
 use super::words;
-use crate::problem::Problem;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -54,39 +54,29 @@ fn placed(text: &str, tree: Option<&Tree>, found: Found) -> FileFault {
 
 /// The text as a tree, its words, and what is wrong with them.
 fn decode(text: &str, known: &[KnownSettings]) -> Result<(Tree, SettingWords, Vec<Found>), Found> {
-    let tree = parser::parse(text).map_err(|e| Found { at: Some(e.at), problem: e.problem })?;
-    let group = match &tree.root.kind {
-        NodeKind::Group(g) if g.shape == Shape::Struct || g.entries.is_empty() => g,
-        _ => {
-            let said = "settings are names and words in round brackets: (fidelity: quick)";
-            return Err(Found::new(tree.root.span.start, Problem::new("", said)));
-        }
-    };
+    let tree = parser::parse(text)?;
     let names: Vec<&str> = known.iter().map(|k| k.name).collect();
-    let (mut read, mut found): (SettingWords, Vec<Found>) = (Vec::new(), Vec::new());
-    for entry in &group.entries {
-        let Some((key, span)) = &entry.key else { continue };
-        let node = entry.value.unwrapped();
-        let written = node.span.of(text);
-        let Some(setting) = known.iter().find(|k| k.name == key) else {
-            found.push(Found::new(span.start, words::unknown_field(key, key, &names)));
-            continue;
-        };
-        if read.iter().any(|(name, _)| name == key) {
-            found.push(Found::new(span.start, Problem::new(key, "this setting stands here twice")));
-            continue;
+    let reader = Reader::new(text);
+    let mut read = SettingWords::new();
+    if let Ok(mut fields) = reader.at(&tree.root, &Path::Root("")).fields("Settings", Some(&names))
+    {
+        while let Some(field @ (name, entry)) = fields.next_field() {
+            let node = entry.value.unwrapped();
+            let word = match &node.kind {
+                NodeKind::Text(word) => word.clone(),
+                _ => node.span.slice(text).to_string(),
+            };
+            match known.iter().find(|k| k.name == name) {
+                Some(setting) if !(setting.takes)(&word) => {
+                    fields.note(field, words::unknown_word(setting.allowed.clone()));
+                }
+                _ => read.push((name.to_string(), word)),
+            }
         }
-        let word = match &node.kind {
-            NodeKind::Text(word) => word.clone(),
-            _ => written.to_string(),
-        };
-        if !(setting.takes)(&word) {
-            let problem = Problem::new(key, "this word is not known here");
-            let problem = problem.value(words::shorten(written)).allowed(setting.allowed.clone());
-            found.push(Found::new(node.span.start, problem));
-            continue;
-        }
-        read.push((key.clone(), word));
+    }
+    let mut found = reader.found();
+    for whole in found.iter_mut().filter(|f| f.problem.field.is_empty()) {
+        whole.problem.advice = "settings are names and words: (fidelity: quick)".to_string();
     }
     Ok((tree, read, found))
 }

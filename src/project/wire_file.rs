@@ -2,9 +2,9 @@
 //! of a mesh type as the whole of a RON file. `projects/wire/dt-8x10-2.7.ron` is one.
 
 use super::error::{Cause, FileFault, Found, LoadError};
-use super::inline_mesh;
 use super::load::{decode_utf8, read_bytes};
 use super::text::{Tree, parser};
+use super::{read, words, write};
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use std::path::Path;
@@ -36,13 +36,17 @@ fn parse_wire(text: &str, shown: &str) -> Result<WireData, LoadError> {
         let fault = FileFault::whole("the file is empty", advice);
         return Err(LoadError::new(shown, Cause::BadInput, vec![fault]));
     }
-    let tree = parser::parse(text)
-        .map_err(|e| refuse(vec![Found { at: Some(e.at), problem: e.problem }], None))?;
-    let wire = inline_mesh::read_wire(text, &tree.root)
-        .map_err(|found| refuse(vec![found], Some(&tree)))?;
+    let tree = parser::parse(text).map_err(|e| refuse(vec![e.into()], None))?;
+    if ["net", "single", "double_twist"].iter().all(|name| tree.root.field(name).is_none()) {
+        let problem = Problem::new("", "these are no wire data")
+            .value(words::shorten(tree.root.span.slice(text)))
+            .advice("wire data start with (net: (opening: ...");
+        return Err(refuse(vec![Found::new(tree.root.span.start, problem)], None));
+    }
+    let wire: WireData =
+        read::values(text, &tree.root, "").map_err(|found| refuse(found, Some(&tree)))?;
     wire.check().map_err(|problems| {
-        let place = |p: &Problem| Some(tree.root.locate(&p.field).start);
-        let found = |p: Problem| Found { at: place(&p), problem: Box::new(p) };
+        let found = |p: Problem| Found::located(&tree.root, p);
         refuse(problems.into_iter().map(found).collect(), Some(&tree))
     })?;
     Ok(wire)
@@ -51,7 +55,7 @@ fn parse_wire(text: &str, shown: &str) -> Result<WireData, LoadError> {
 /// Wire data as a file, with a comment on top.
 pub(crate) fn wire_text(wire: &WireData, comment: &str) -> Option<String> {
     let head: String = comment.lines().map(|line| format!("// {line}\n")).collect();
-    Some(format!("{head}{}\n", inline_mesh::write_wire(wire)?))
+    Some(format!("{head}{}\n", write::pretty(wire).ok()?))
 }
 
 #[cfg(test)]

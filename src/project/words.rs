@@ -1,8 +1,8 @@
-//! Wording that the room's messages share: the closest known field, ranges, shortened values.
+//! The words of this room's messages, in one place: what is expected, missing, repeated or not known,
+//! the closest known field, ranges and examples, shortened values.
 
 use crate::case::Input;
 use crate::problem::Problem;
-use crate::units::Quantity;
 use strsim::levenshtein;
 
 /// Longest piece of a file that is shown in a message, in characters.
@@ -69,8 +69,38 @@ pub(crate) fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
         .map(|(.., name)| name)
 }
 
-/// A field that is not known at its place.
-pub(crate) fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
+/// Names that a later version of the program has a field for, each with the struct it stands in.
+pub(crate) const RESERVED: &[(&str, &[&str])] = &[
+    ("Project", &["basis", "factors"]),
+    ("Layout", &["blocks", "Lx", "Ly", "stagger", "twists", "pressure"]),
+];
+
+/// Fields that cannot be left out, by the name of their struct.
+pub(crate) fn needed(holder: &str) -> &'static [&'static str] {
+    match holder {
+        "Project" => &["version", "name", "layouts"],
+        "Layout" => &["name", "d", "L", "D"],
+        "MeshType" => &["id", "laboratory"],
+        "LabRecord" => &["force", "deflection", "statistic", "source"],
+        "RatioRecord" => &["force", "deflection", "source"],
+        "WireData" => &["net", "single", "double_twist", "source"],
+        "NetGeometry" => {
+            &["opening", "twist", "projection", "diameter", "node_mass", "node_radius"]
+        }
+        "Distortion" => &["lambda_u", "lambda_f", "slack"],
+        _ => &[],
+    }
+}
+
+/// A field that is not known at its place: one of a later version, or a slip.
+pub(crate) fn unknown_field(holder: &str, path: &str, key: &str, known: &[&str]) -> Problem {
+    if RESERVED.iter().any(|(struct_name, names)| *struct_name == holder && names.contains(&key)) {
+        return Problem::new(
+            path,
+            "this name is reserved for a field that this version does not know yet",
+        )
+        .advice("use a newer meshcast, or take the field out");
+    }
     let problem =
         Problem::new(path, "there is no field of this name here").allowed(known.join(", "));
     match closest(key, known) {
@@ -79,13 +109,52 @@ pub(crate) fn unknown_field(path: &str, key: &str, known: &[&str]) -> Problem {
     }
 }
 
+/// A field that cannot be left out and is.
+pub(crate) fn missing_field(field: &str) -> Problem {
+    Problem::new(field, "this field is missing").advice(format!("add {field}: {}", example(field)))
+}
+
+/// A field that stands there already.
+pub(crate) fn repeated_field(field: &str) -> Problem {
+    Problem::new(field, "this field is given twice")
+}
+
+/// A word that is none of those that may stand there.
+pub(crate) fn unknown_word(allowed: impl Into<String>) -> Problem {
+    Problem::new("", "this word is not known here").allowed(allowed)
+}
+
+/// Words of which one is due.
+pub(crate) fn one_of(allowed: &[&str]) -> String {
+    allowed.join(if allowed.len() > 2 { ", " } else { " or " })
+}
+
+/// Something else is due.
+pub(crate) fn expected(what: &str) -> String {
+    format!("{what} is expected here")
+}
+
+/// What a struct looks like.
+pub(crate) const A_STRUCT: &str = "a group of fields in round brackets";
+
+/// What a group of `len` values looks like, by its name if it has one.
+pub(crate) fn tuple(name: &str, len: usize) -> String {
+    match name {
+        "CurvePoint" => "a point is a strain and a stress, two numbers".to_string(),
+        _ => format!("{len} numbers in round brackets are expected here"),
+    }
+}
+
+/// What to do about more numbers than there should be.
+pub(crate) const DECIMAL_COMMA: &str = "a decimal point is written as a point, not as a comma";
+
 /// An example of a field's value.
 pub(crate) fn example(field: &str) -> &'static str {
     if let Some(input) = Input::named(field) {
         return input.row().example;
     }
     match field {
-        "version" => "1",
+        "version" => "2",
         "layouts" => "[]",
         "id" => "\"my-mesh\"",
         "force" => "73.3",
@@ -109,13 +178,9 @@ pub(crate) fn example(field: &str) -> &'static str {
     }
 }
 
-/// What a quantity looks like in a file.
-pub(crate) fn quantity(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Length => "a length, a number in m or a text such as \"250 mm\",",
-        Quantity::Force => "a force, a number in kN or a text such as \"73.3 kN\",",
-        Quantity::Number => "a number",
-    }
+/// What a field of a layout takes, with its unit; nothing where that is not limited, and for others.
+pub(crate) fn range(field: &str) -> String {
+    Input::named(field).map_or(String::new(), Input::allowed)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Project to text: the clean form that a new file has, with what each value means beside it.
 
-use super::inline_mesh;
+use super::decode::LAYOUT_FIELDS;
 use super::kept;
 use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
@@ -9,6 +9,43 @@ use crate::case::input::Missing;
 use crate::layout::BranchRule;
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use std::fmt::Write;
+
+/// Something that no file can hold.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{what} cannot be written: {why}")]
+pub struct Unwritable {
+    /// What it is.
+    pub(crate) what: String,
+    /// Why not.
+    pub(crate) why: String,
+}
+
+/// RON as the program writes it everywhere: optional values need no `Some`.
+pub(super) fn ron_options() -> ron::Options {
+    ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME)
+}
+
+/// A value as RON, one field a line.
+pub(super) fn pretty(value: &impl serde::Serialize) -> Result<String, ron::Error> {
+    let pretty = ron::ser::PrettyConfig::new()
+        .depth_limit(4)
+        .new_line("\n")
+        .extensions(ron::extensions::Extensions::IMPLICIT_SOME);
+    Ok(without_extension(ron_options().to_string_pretty(value, pretty)?))
+}
+
+/// A value as RON on one line.
+pub(super) fn compact(value: &impl serde::Serialize) -> Result<String, ron::Error> {
+    Ok(without_extension(ron_options().to_string(value)?))
+}
+
+/// The writer names the extension that is on anyway.
+fn without_extension(text: String) -> String {
+    match text.strip_prefix("#![enable(implicit_some)]") {
+        Some(rest) => rest.trim_start().to_string(),
+        None => text,
+    }
+}
 
 /// A number as the file holds it, forces in kN: the shortest text that is read back as exactly this
 /// value.
@@ -67,11 +104,14 @@ const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, 
 /// The text of a new project with one layout at the published reference point, with comments that
 /// explain the format. What `meshcast new` writes.
 pub fn new_project(name: &str) -> String {
-    project(&Project::starter(name))
+    project(&Project::starter(name)).expect("a starter has no mesh and no check of its own")
 }
 
 /// A project in the clean form.
-pub fn project(p: &Project) -> String {
+///
+/// # Errors
+/// Names what cannot be written.
+pub fn project(p: &Project) -> Result<String, Unwritable> {
     let mut out = HEAD.to_string();
     out.push_str("(\n");
     // Writing to a string cannot fail.
@@ -84,66 +124,94 @@ pub fn project(p: &Project) -> String {
     );
     let _ = writeln!(out, "    meshes: [");
     for mesh in &p.meshes {
-        let _ = writeln!(out, "        {},", mesh_use(mesh, 2));
+        let _ = writeln!(out, "        {},", mesh_use(mesh, 2)?);
     }
     out.push_str("    ],\n");
     out.push_str(LAYOUT_HELP);
     out.push_str("    layouts: [\n");
     for l in &p.layouts {
-        let _ = writeln!(out, "        {},", layout(l, p.default_mesh(), "        ", "\n"));
+        let _ = writeln!(out, "        {},", layout(l, p.default_mesh(), "        ", "\n")?);
     }
     out.push_str("    ],\n");
     let _ = writeln!(out, "    display: (length_unit: {}),", p.display.length_unit.symbol());
     out.push_str(")\n");
-    out
+    Ok(out)
 }
 
 /// An item of `meshes`, `indent` steps of four blanks in.
-pub(crate) fn mesh_use(mesh: &MeshUse, indent: usize) -> String {
-    match mesh {
-        MeshUse::Catalogue(id) => quoted(id, false),
-        // A mesh that cannot be written comes out as its identifier; the text is read back before
-        // it is saved, so this is noticed.
-        MeshUse::Inline(mesh) => {
-            inline_mesh::write(mesh, indent).unwrap_or_else(|| quoted(&mesh.id, false))
-        }
-    }
+///
+/// # Errors
+/// Names the mesh if it cannot be written.
+pub(crate) fn mesh_use(mesh: &MeshUse, indent: usize) -> Result<String, Unwritable> {
+    let mesh = match mesh {
+        MeshUse::Catalogue(id) => return Ok(quoted(id, false)),
+        MeshUse::Inline(mesh) => mesh,
+    };
+    let text = pretty(&**mesh)
+        .map_err(|e| Unwritable { what: format!("the mesh {}", mesh.id), why: e.to_string() })?;
+    // Line feeds inside strings are escaped by the writer, so every one of these starts a line.
+    Ok(text.replace('\n', &format!("\n{}", "    ".repeat(indent))))
 }
 
 /// An item of `layouts`, one field a line: its opening bracket stands where it is put, the other
 /// lines begin with `indent`, and `newline` ends them.
-pub(crate) fn layout(l: &NamedLayout, default_mesh: &str, indent: &str, newline: &str) -> String {
-    let fields: String = layout_fields(l, default_mesh)
+///
+/// # Errors
+/// Names what cannot be written.
+pub(crate) fn layout(
+    l: &NamedLayout,
+    default_mesh: &str,
+    indent: &str,
+    newline: &str,
+) -> Result<String, Unwritable> {
+    let fields: String = layout_fields(l, default_mesh)?
+        .iter()
         .map(|field| format!("{newline}{indent}    {field},"))
         .collect();
-    format!("({fields}{newline}{indent})")
+    Ok(format!("({fields}{newline}{indent})"))
 }
 
 /// An item of `layouts` on one line.
-pub(crate) fn layout_on_one_line(l: &NamedLayout, default_mesh: &str) -> String {
-    let fields: Vec<String> = layout_fields(l, default_mesh).collect();
-    format!("({})", fields.join(", "))
+///
+/// # Errors
+/// Names what cannot be written.
+pub(crate) fn layout_on_one_line(
+    l: &NamedLayout,
+    default_mesh: &str,
+) -> Result<String, Unwritable> {
+    Ok(format!("({})", layout_fields(l, default_mesh)?.join(", ")))
 }
 
-fn layout_fields(l: &NamedLayout, default_mesh: &str) -> impl Iterator<Item = String> {
-    super::decode::LAYOUT_FIELDS.iter().filter_map(move |field| {
-        layout_field(l, field, default_mesh).map(|value| format!("{field}: {value}"))
-    })
+fn layout_fields(l: &NamedLayout, default_mesh: &str) -> Result<Vec<String>, Unwritable> {
+    let mut fields = Vec::new();
+    for field in LAYOUT_FIELDS {
+        if let Some(value) = layout_field(l, field, default_mesh)? {
+            fields.push(format!("{field}: {value}"));
+        }
+    }
+    Ok(fields)
 }
 
 /// The text of a layout's field; nothing where it may be left out because it has its default.
-pub(crate) fn layout_field(l: &NamedLayout, field: &str, default_mesh: &str) -> Option<String> {
+///
+/// # Errors
+/// Names what cannot be written.
+pub(crate) fn layout_field(
+    l: &NamedLayout,
+    field: &str,
+    default_mesh: &str,
+) -> Result<Option<String>, Unwritable> {
     if let Some(input) = Input::named(field) {
         let value = l.get(input).filter(|v| input.row().missing != Missing::Means(*v));
-        return value.map(|v| number(v, input.row().quantity));
+        return Ok(value.map(|v| number(v, input.row().quantity)));
     }
-    match field {
+    Ok(match field {
         "name" => Some(quoted(&l.name, false)),
         "mesh" => (l.mesh != default_mesh).then(|| quoted(&l.mesh, false)),
         "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
         "overlay" => l.overlay.then(|| "true".to_string()),
         "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),
-        "check" => l.check.as_ref().map(|result| kept::write(result)),
+        "check" => l.check.as_ref().map(|result| kept::write(result, &l.name)).transpose()?,
         _ => None,
-    }
+    })
 }

@@ -75,7 +75,7 @@ proptest! {
                 prop_assert_eq!(opened.project.check(), Ok(()));
                 let mut edited = opened.project.clone();
                 edited.site = "elsewhere".into();
-                let rendered = opened.document.render(&edited);
+                let rendered = opened.document.render(&edited).unwrap();
                 let again = project::parse(&rendered.text, "again").map_err(|e| {
                     TestCaseError::fail(format!("{e}\n{}", rendered.text))
                 })?;
@@ -214,7 +214,7 @@ fn act(project: &mut Project, deed: &Deed) {
 /// The comments of a text, sorted.
 fn comments(text: &str) -> Vec<String> {
     let tree = project::text::parser::parse(text).unwrap();
-    let mut list: Vec<String> = tree.comments.iter().map(|c| c.of(text).to_string()).collect();
+    let mut list: Vec<String> = tree.comments.iter().map(|c| c.slice(text).to_string()).collect();
     list.sort();
     list
 }
@@ -235,13 +235,13 @@ proptest! {
             act(&mut edited, deed);
         }
         prop_assert_eq!(edited.check(), Ok(()));
-        let rendered = opened.document.render(&edited);
+        let rendered = opened.document.render(&edited).unwrap();
         prop_assert!(rendered.comments_kept, "{}", rendered.text);
         let again = project::parse(&rendered.text, "again").unwrap();
         prop_assert_eq!(&again.project, &edited);
         // Comments go only with a layout that is taken away, and none is written twice.
         let gone = opened.project.layouts.iter().any(|l| edited.layouts.iter().all(|e| e.uid != l.uid));
-        let (before, after) = (comments(&opened.document.render(&opened.project).text), comments(&rendered.text));
+        let (before, after) = (comments(&opened.document.render(&opened.project).unwrap().text), comments(&rendered.text));
         if gone {
             let mut rest = before;
             for comment in after {
@@ -253,7 +253,7 @@ proptest! {
             prop_assert_eq!(before, after);
         }
         // And back again: the old project in the new text.
-        let back = again.document.render(&opened.project);
+        let back = again.document.render(&opened.project).unwrap();
         prop_assert_eq!(&project::parse(&back.text, "back").unwrap().project, &opened.project);
     }
 }
@@ -269,7 +269,7 @@ fn values_that_no_short_decimal_can_hold_come_back_exactly() {
     edited.layouts[1].layout.ey = 5e-324;
     edited.layouts[2].question.force = Some(0.1 + 0.2);
     let MeshUse::Catalogue(_) = &edited.meshes[0] else { panic!() };
-    let rendered = opened.document.render(&edited);
+    let rendered = opened.document.render(&edited).unwrap();
     let again = project::parse(&rendered.text, "again").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(again.project, edited, "{}", rendered.text);
     assert!(rendered.comments_kept);

@@ -47,7 +47,7 @@ impl<'t> List<'t> {
 
     /// Whether the list has items and all of it stands on one line.
     pub(crate) fn is_one_line(&self) -> bool {
-        !self.group.entries.is_empty() && !self.group.inner.of(self.source.text).contains('\n')
+        !self.group.entries.is_empty() && !self.group.inner.slice(self.source.text).contains('\n')
     }
 
     /// The old item at an index.
@@ -158,12 +158,12 @@ impl<'t> List<'t> {
             }
             let own = self.own_start(starts[index], self.entry(index)?.span().start);
             if source.has_comment(starts[index], own) {
-                carried.push_str(Span::new(starts[index], own).of(source.text));
+                carried.push_str(Span::new(starts[index], own).slice(source.text));
             }
         }
         left_over[count] = carried;
 
-        let mut out = Span::new(self.group.inner.start, head).of(source.text).to_string();
+        let mut out = Span::new(self.group.inner.start, head).slice(source.text).to_string();
         for item in items {
             match item {
                 Item::New(text) => {
@@ -189,7 +189,7 @@ impl<'t> List<'t> {
             fresh_line(&mut out, newline);
             out.push_str(&left_over[count]);
         }
-        let tail = Span::new(tail, self.group.inner.end).of(source.text);
+        let tail = Span::new(tail, self.group.inner.end).slice(source.text);
         if out.ends_with('\n') && tail.is_empty() {
             // The bracket stood behind the last item; now it needs a line of its own.
             let deeper = self.indent.strip_suffix("    ").unwrap_or(&self.indent);

@@ -49,11 +49,11 @@ pub(crate) fn apply_within(text: &str, part: Span, mut edits: Vec<Edit>) -> Stri
         if span.start < done || span.end > part.end {
             continue;
         }
-        out.push_str(Span::new(done, span.start).of(text));
+        out.push_str(Span::new(done, span.start).slice(text));
         out.push_str(&new);
         done = span.end;
     }
-    out.push_str(Span::new(done, part.end).of(text));
+    out.push_str(Span::new(done, part.end).slice(text));
     out
 }
 
@@ -112,7 +112,7 @@ impl PatchSource<'_> {
             }
             let found = self.tree.comments.binary_search_by_key(&at, |c| c.start).ok()?;
             let comment = self.tree.comments[found];
-            if comment.of(self.text).contains('\n') {
+            if comment.slice(self.text).contains('\n') {
                 return None;
             }
             at = comment.end;
@@ -121,7 +121,7 @@ impl PatchSource<'_> {
 }
 
 /// The text with the changes that lead from one project to another, or nothing where the text is of
-/// a form in which they cannot be made. A mesh written out is changed as a whole; its comments are
+/// a form in which they cannot be made, or the project cannot be written at all. A mesh written out is changed as a whole; its comments are
 /// lost then. The caller reads the result back before trusting it.
 pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> Option<Rendered> {
     let source = PatchSource { text, tree };
@@ -158,8 +158,9 @@ pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> O
                 lost = some_lost;
             }
             None => {
-                let items: Vec<String> = new.meshes.iter().map(|m| write::mesh_use(m, 1)).collect();
-                fields.change("meshes", FieldChange::Set(format!("[{}]", items.join(", "))));
+                let items: Option<Vec<String>> =
+                    new.meshes.iter().map(|m| write::mesh_use(m, 1).ok()).collect();
+                fields.change("meshes", FieldChange::Set(format!("[{}]", items?.join(", "))));
             }
         }
     }
@@ -189,15 +190,18 @@ fn meshes(
     let mut items = Vec::with_capacity(new.meshes.len());
     let mut lost = false;
     for mesh in &new.meshes {
-        let text = || write::mesh_use(mesh, steps).replace('\n', source.newline());
+        let text = || {
+            let text = write::mesh_use(mesh, steps).ok()?;
+            Some(text.replace('\n', source.newline()))
+        };
         let Some(index) = base.meshes.iter().position(|m| m.id() == mesh.id()) else {
-            items.push(Item::New(text()));
+            items.push(Item::New(text()?));
             continue;
         };
         let span = list.entry(index)?.value.unwrapped().span;
         let changed = base.meshes.get(index) != Some(mesh);
         lost |= changed && source.has_comment(span.start, span.end);
-        let edits = changed.then(|| (span, text())).into_iter().collect();
+        let edits = if changed { vec![(span, text()?)] } else { Vec::new() };
         items.push(Item::Kept { index, edits });
     }
     Some((list.edits(items)?, lost))
@@ -215,8 +219,13 @@ fn layouts(source: PatchSource, node: &Node, base: &Project, new: &Project) -> O
                 let edits = one_layout(source, &entry.value, was, layout, default)?;
                 Item::Kept { index, edits }
             }
-            None if list.is_one_line() => Item::New(write::layout_on_one_line(layout, default)),
-            None => Item::New(write::layout(layout, default, list.indent(), source.newline())),
+            None if list.is_one_line() => {
+                Item::New(write::layout_on_one_line(layout, default).ok()?)
+            }
+            None => {
+                let text = write::layout(layout, default, list.indent(), source.newline());
+                Item::New(text.ok()?)
+            }
         };
         items.push(item);
     }
@@ -235,13 +244,14 @@ fn one_layout(
     let mut fields = Fields::new(source, group, LAYOUT_FIELDS);
     for name in LAYOUT_FIELDS {
         let Some(present) = fields.value(name) else {
-            if let Some(text) = write::layout_field(is, name, default_mesh) {
+            if let Some(text) = write::layout_field(is, name, default_mesh).ok()? {
                 fields.change(name, FieldChange::Set(text));
             }
             continue;
         };
         // With no identifier for the default mesh, a mesh is always written out.
-        let (old, new) = (write::layout_field(was, name, ""), write::layout_field(is, name, ""));
+        let [old, new] = [was, is].map(|l| write::layout_field(l, name, "").ok());
+        let (old, new) = (old?, new?);
         if old == new {
             continue;
         }

@@ -1,7 +1,7 @@
 //! A small lossless reader of RON: a tree of groups and scalars, each with its place in the text.
 //!
-//! The `ron` crate turns a text into values and forgets where they stood and what was written
-//! around them. This reader keeps both, so that every problem can be shown at its line and a save
+//! A plain RON reader turns a text into values and forgets where they stood and what was written
+//! around them. This one keeps both, so that every problem can be shown at its line and a save
 //! can change one value and leave the comments and the layout of the file alone.
 //!
 //! - [`Tree`], [`Node`], [`Entry`]: what is read; this file.
@@ -27,7 +27,7 @@ impl Span {
     }
 
     /// The part's text; empty if the span does not fit the text.
-    pub fn of(self, text: &str) -> &str {
+    pub fn slice(self, text: &str) -> &str {
         text.get(self.start..self.end).unwrap_or("")
     }
 }
@@ -126,18 +126,23 @@ impl Node {
         }
     }
 
-    /// The value inside `Some(...)`, or this value itself.
-    pub(crate) fn unwrapped(&self) -> &Node {
-        match &self.kind {
-            NodeKind::Group(g)
-                if g.shape == Shape::Tuple
-                    && g.name.as_deref() == Some("Some")
-                    && g.entries.len() == 1 =>
-            {
-                g.entries[0].value.unwrapped()
-            }
-            _ => self,
+    /// The value inside `Some(...)`, if this is one.
+    pub(crate) fn inside_some(&self) -> Option<&Node> {
+        let some = |g: &&Group| g.shape == Shape::Tuple && g.name.as_deref() == Some("Some");
+        match self.group().filter(some)?.entries.as_slice() {
+            [entry] => Some(&entry.value),
+            _ => None,
         }
+    }
+
+    /// The value inside any number of `Some(...)`, or this value itself.
+    pub(crate) fn unwrapped(&self) -> &Node {
+        self.inside_some().map_or(self, Node::unwrapped)
+    }
+
+    /// Whether this is the word `None`.
+    pub(crate) fn is_none(&self) -> bool {
+        matches!(&self.kind, NodeKind::Word(word) if word == "None")
     }
 
     /// The entry of a struct's field.
@@ -172,31 +177,6 @@ impl Node {
         }
         place
     }
-
-    /// The path of the deepest entry that covers the byte at `at`, for example `layouts[2].d`.
-    pub(crate) fn path_at(&self, at: usize) -> String {
-        let mut path = String::new();
-        let mut node = self;
-        while let NodeKind::Group(group) = &node.kind {
-            let covers = |e: &&Entry| e.span().start <= at && at <= e.span().end;
-            let Some((index, entry)) = group.entries.iter().enumerate().find(|(_, e)| covers(e))
-            else {
-                break;
-            };
-            match &entry.key {
-                Some((key, _)) => {
-                    if !path.is_empty() {
-                        path.push('.');
-                    }
-                    path.push_str(key);
-                }
-                None if group.name.as_deref() == Some("Some") => {}
-                None => path.push_str(&format!("[{index}]")),
-            }
-            node = &entry.value;
-        }
-        path
-    }
 }
 
 /// Line and column of a byte, both counted from 1, the column in characters.
@@ -211,19 +191,6 @@ pub(crate) fn line_column(text: &str, at: usize) -> (usize, usize) {
     (line, 1 + before[start..].chars().filter(|&c| c != '\u{feff}').count())
 }
 
-/// The byte at a line and column counted from 1; the end of the text if there is none.
-pub(crate) fn offset_at(text: &str, line: usize, column: usize) -> usize {
-    let mut start = 0;
-    for _ in 1..line {
-        match text[start..].find('\n') {
-            Some(n) => start += n + 1,
-            None => return text.len(),
-        }
-    }
-    let rest = &text[start..];
-    rest.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(i, _)| start + i)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -231,7 +198,7 @@ mod tests {
     const TEXT: &str = "(\n  a: 1, // one\n  \u{e4}b: [(c: Some(2)), (c: \"x\")],\n)";
 
     #[test]
-    fn a_path_leads_to_its_place_and_a_place_to_its_path() {
+    fn a_path_leads_to_its_place() {
         let tree = parser::parse(TEXT).unwrap();
         for (path, shown) in [
             ("a", "1"),
@@ -240,25 +207,20 @@ mod tests {
             ("\u{e4}b[1].none", "(c: \"x\")"),
             ("\u{e4}b[7].c", "[(c: Some(2)), (c: \"x\")]"),
         ] {
-            assert_eq!(tree.root.locate(path).of(TEXT), shown, "{path}");
+            assert_eq!(tree.root.locate(path).slice(TEXT), shown, "{path}");
         }
         assert_eq!(tree.root.locate("none"), tree.root.span);
-        let two = TEXT.find('2').unwrap();
-        assert_eq!(tree.root.path_at(two), "\u{e4}b[0].c");
-        assert_eq!(tree.root.path_at(0), "");
         assert_eq!(tree.comments.len(), 1);
-        assert_eq!(tree.comments[0].of(TEXT), "// one");
+        assert_eq!(tree.comments[0].slice(TEXT), "// one");
     }
 
     #[test]
     fn lines_and_columns_count_characters() {
         let b = TEXT.find('b').unwrap();
         assert_eq!(line_column(TEXT, b), (3, 4));
-        assert_eq!(offset_at(TEXT, 3, 4), b);
         // A byte inside a character stands for the character.
         assert_eq!(line_column(TEXT, b - 1), (3, 3));
         assert_eq!(line_column(TEXT, 9999), (4, 2));
-        assert_eq!(offset_at(TEXT, 99, 1), TEXT.len());
         assert_eq!(line_column("\u{feff}(", 3), (1, 1));
     }
 

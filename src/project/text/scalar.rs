@@ -3,40 +3,89 @@
 /// Reads a number as RON writes them: `3`, `-0.25`, `1_000`, `2.5e-1`, `0x10`, `inf`, `NaN`, each
 /// with an optional type behind it (`3.0f64`). Too large a number becomes infinite.
 pub(crate) fn number(text: &str) -> Option<f64> {
-    let (sign, digits) = match text.as_bytes().first()? {
-        b'-' => (-1.0, &text[1..]),
-        b'+' => (1.0, &text[1..]),
-        _ => (1.0, text),
-    };
+    let (negative, digits) = signed(text);
+    let sign = if negative { -1.0 } else { 1.0 };
     match digits {
         "inf" => return Some(sign * f64::INFINITY),
         "NaN" => return Some(f64::NAN),
         _ => {}
     }
-    if digits.starts_with('_') || !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+    if let Some(v) = integer(digits, negative) {
+        return Some(sign * v as f64);
+    }
+    let (bare, single) = match (digits.strip_suffix("f32"), digits.strip_suffix("f64")) {
+        (Some(bare), _) => (bare, true),
+        (_, Some(bare)) => (bare, false),
+        _ => (digits, false),
+    };
+    if !bare.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
         return None;
     }
-    for (prefix, base) in [("0x", 16), ("0o", 8), ("0b", 2)] {
-        if let Some(rest) = digits.strip_prefix(prefix) {
-            let rest = rest.replace('_', "");
-            if rest.starts_with(['+', '-']) {
-                return None;
-            }
-            return u64::from_str_radix(&rest, base).ok().map(|v| sign * v as f64);
+    let plain = without_underscores(bare)?;
+    let right = |b: u8| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-');
+    if !plain.bytes().all(right) || !plain.bytes().any(|b| b.is_ascii_digit()) {
+        return None;
+    }
+    // A number that says of itself that it is of single precision is read so.
+    let value = if single { plain.parse::<f32>().ok().map(f64::from) } else { plain.parse().ok() };
+    value.map(|v: f64| sign * v)
+}
+
+/// Reads a whole number that is not negative, to the last digit: `3`, `1_000`, `0x10`, `7u64`.
+pub(crate) fn whole(text: &str) -> Option<u64> {
+    let (negative, digits) = signed(text);
+    // Of the types that may stand behind it only its own is one, as RON has it.
+    let bare = digits.strip_suffix("u64").unwrap_or(digits);
+    let typed = bare.contains(['i', 'u']);
+    integer(bare, negative).filter(|v| !typed && (!negative || *v == 0))
+}
+
+/// Whether a minus stands before a number, and the rest.
+fn signed(text: &str) -> (bool, &str) {
+    match text.strip_prefix('-') {
+        Some(rest) => (true, rest),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    }
+}
+
+/// A whole number without its sign, of a size that its type allows.
+fn integer(digits: &str, negative: bool) -> Option<u64> {
+    let bits = [("8", 8), ("16", 16), ("32", 32), ("64", 64)];
+    let typed = bits.iter().find_map(|(size, bits)| {
+        let bare = digits.strip_suffix(size)?;
+        let (bare, most) = match (bare.strip_suffix('u'), bare.strip_suffix('i')) {
+            (Some(bare), _) if negative => (bare, 0),
+            (Some(bare), _) => (bare, u64::MAX >> (64 - bits)),
+            (_, Some(bare)) => (bare, (u64::MAX >> (65 - bits)) + u64::from(negative)),
+            _ => return None,
+        };
+        Some((bare, most))
+    });
+    let (bare, most) = typed.unwrap_or((digits, u64::MAX));
+    let bases = [("0x", 16), ("0o", 8), ("0b", 2)];
+    let based = bases.iter().find_map(|(prefix, base)| Some((bare.strip_prefix(prefix)?, *base)));
+    let (bare, base) = based.unwrap_or((bare, 10));
+    if bare.starts_with(['_', '+', '-']) {
+        return None;
+    }
+    u64::from_str_radix(&bare.replace('_', ""), base).ok().filter(|v| *v <= most)
+}
+
+/// The digits without the underscores behind them; nothing if one stands elsewhere.
+fn without_underscores(digits: &str) -> Option<String> {
+    let mut plain = String::with_capacity(digits.len());
+    let mut may_follow = false;
+    for c in digits.chars() {
+        match c {
+            '_' if may_follow => continue,
+            '_' => return None,
+            '.' => may_follow = false,
+            '+' | '-' => {}
+            _ => may_follow = true,
         }
+        plain.push(c);
     }
-    let bare = ["f32", "f64", "i8", "i16", "i32", "i64", "u8", "u16", "u32", "u64"]
-        .iter()
-        .find_map(|suffix| digits.strip_suffix(suffix))
-        .unwrap_or(digits);
-    let plain = bare.replace('_', "");
-    let shape_is_right =
-        plain.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'))
-            && plain.bytes().any(|b| b.is_ascii_digit());
-    if !shape_is_right {
-        return None;
-    }
-    plain.parse::<f64>().ok().map(|v| sign * v)
+    Some(plain)
 }
 
 /// Reads the escapes of a string's inside.
@@ -131,14 +180,41 @@ mod tests {
             ("0b101", 5.0),
             ("3.0f64", 3.0),
             ("7u32", 7.0),
+            ("-128i8", -128.0),
+            ("3f64", 3.0),
+            ("0.1f32", f64::from(0.1f32)),
+            ("18446744073709551616", 18446744073709551616.0),
             ("-inf", f64::NEG_INFINITY),
             ("1e999", f64::INFINITY),
         ] {
             assert_eq!(number(text), Some(value), "{text}");
         }
         assert!(number("NaN").is_some_and(f64::is_nan));
-        for text in ["", "-", "_1", "1.2.3", "250mm", "0x", "0x-1", "e5", "--1", "."] {
+        for text in [
+            "", "-", "_1", "1.2.3", "250mm", "0x", "0x-1", "e5", "--1", ".", "1._5", "300u8",
+            "128i8", "-1u8", "3.5u8",
+        ] {
             assert_eq!(number(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_read_to_the_last_digit() {
+        for (text, value) in [
+            ("0", 0),
+            ("-0", 0),
+            ("+1_000", 1000),
+            ("0xff", 255),
+            ("255u64", 255),
+            ("18446744073709551615", u64::MAX),
+            ("9007199254740993", 9007199254740993),
+        ] {
+            assert_eq!(whole(text), Some(value), "{text}");
+            assert_eq!(ron::from_str::<u64>(text), Ok(value), "{text}");
+        }
+        for text in ["-1", "1.0", "1e3", "7u8", "7i64", "18446744073709551616", "_1", "", "0x"] {
+            assert_eq!(whole(text), None, "{text}");
+            assert!(ron::from_str::<u64>(text).is_err(), "{text}");
         }
     }
 

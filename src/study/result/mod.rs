@@ -68,6 +68,18 @@ pub struct FirstBreak {
     pub twist: bool,
 }
 
+/// What later versions of the program note of a check. This one makes none of it and reads nothing
+/// from it, but keeps it, as it stands in the file, with the check that it belongs to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Later {
+    /// How the blocks lie in the cells.
+    pub arrangement: Option<String>,
+    /// Figures of each class of alignments.
+    pub strata: Option<Vec<Vec<f64>>>,
+    /// Fractiles of the results, such as 5 % and 95 %.
+    pub fractiles: Option<Vec<Vec<f64>>>,
+}
+
 /// The result of a check in brief. Forces N, lengths m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckResult {
@@ -101,6 +113,8 @@ pub struct CheckResult {
     pub quality: Quality,
     /// Warnings by their name, as those of an ensemble, `cancelled` among them.
     pub warnings: Vec<String>,
+    /// What another version noted.
+    pub later: Later,
 }
 
 impl CheckResult {
@@ -140,6 +154,7 @@ impl CheckResult {
             band,
             quality: worst(&runs),
             warnings: ensemble.warnings.clone(),
+            later: Later::default(),
         }
     }
 

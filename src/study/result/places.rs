@@ -67,7 +67,7 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::layout::REFERENCE;
     use crate::study::ensemble::Spread;
-    use crate::study::result::{FirstBreak, Revisions, Wanted};
+    use crate::study::result::{FirstBreak, Later, Revisions, Wanted};
 
     #[test]
     fn places_are_told_apart_across_the_edge_too() {
@@ -90,6 +90,7 @@ mod tests {
             breaks: vec![at(-1.25, 1.3), at(0.4, 0.3), at(0.0, 1.2), at(1.45, 0.1)],
             quality: Quality::default(),
             warnings: Vec::new(),
+            later: Later::default(),
         };
         let p = Places::of(&result, &REFERENCE);
         assert_eq!((p.plate, p.punch, p.between, p.twists), (1, 1, 2, 2));

@@ -28,7 +28,7 @@ impl Parser<'_> {
             && matches!(value.kind, NodeKind::Number(_))
             && shown.starts_with(|c: char| c.is_ascii_digit())
         {
-            let before = value.span.of(self.text).to_string();
+            let before = value.span.slice(self.text).to_string();
             let gap = if comma.end == start { "" } else { " " };
             let (at, written) = (value.span.start, format!("{before},{gap}{shown}"));
             self.path.push(Step::Key(key.clone()));
@@ -65,7 +65,7 @@ impl Parser<'_> {
         if let Some((key, _)) = &previous.key {
             self.path.push(Step::Key(key.clone()));
         }
-        let value = previous.value.span.of(self.text);
+        let value = previous.value.span.slice(self.text);
         let number = matches!(previous.value.kind, NodeKind::Number(_));
         if number && matches!(shown, "m" | "mm" | "cm" | "kN" | "N" | "MN") {
             return self

@@ -136,15 +136,20 @@ impl<'t> Parser<'t> {
     fn attributes(&mut self) -> Result<(), SyntaxError> {
         while self.peek() == Some('#') {
             let start = self.at;
-            let end = self.rest().find(']').map_or(self.text.len(), |n| self.at + n + 1);
-            let plain: String =
-                self.text[start..end].chars().filter(|c| !c.is_whitespace() && *c != ',').collect();
-            if plain != "#![enable(implicit_some)]" {
+            let mut rest = self.rest();
+            let mut eat = |token: &str| {
+                let behind = rest.trim_start_matches(is_blank).strip_prefix(token);
+                rest = behind.unwrap_or(rest);
+                behind.is_some()
+            };
+            let known = ["#", "!", "[", "enable", "(", "implicit_some"].into_iter().all(&mut eat);
+            eat(",");
+            if !(known && eat(")") && eat("]")) {
                 return Err(self
                     .error(start, "project files use no RON extensions but implicit_some")
                     .with_advice("take the line out"));
             }
-            self.at = end;
+            self.at = self.text.len() - rest.len();
             self.trivia()?;
         }
         Ok(())
@@ -337,8 +342,8 @@ impl<'t> Parser<'t> {
                 Shape::Map => {
                     let key = self.value()?;
                     self.trivia()?;
-                    self.colon(key.span.of(self.text))?;
-                    Some((key.span.of(self.text).to_string(), key.span))
+                    self.colon(key.span.slice(self.text))?;
+                    Some((key.span.slice(self.text).to_string(), key.span))
                 }
                 _ => None,
             };
