@@ -1,11 +1,25 @@
-//! Older formats, brought to the current one as text, so that comments and lines stay.
+//! Older formats, brought to the current one as text, so that comments and lines stay. The file itself
+//! changes with the next save.
 //!
-//! Version 0 was the working format before the first release. It spelt a layout's sizes out and
-//! gave forces in newtons: `plate`, `spacing`, `punch` for what is now `d`, `L`, `D`, and `force`
-//! in N for what is now `design_force` in kN. All else is as in version 1.
+//! - Version 0 was the working format before the first release. It spelt a layout's sizes out and
+//!   gave forces in newtons: `plate`, `spacing`, `punch` for what is now `d`, `L`, `D`, and `force`
+//!   in N for what is now `design_force` in kN. All else is as in version 1.
+//! - Version 1 is that of the first release. All that it has means the same in version 2.
+//! - Version 2 has room for more: its names are reserved ([`super::words::RESERVED`]), and a kept check
+//!   may have notes of later versions. A program that knows version 1 only would refuse those one by
+//!   one as slips of the keyboard; so it refuses the file as a whole, and leaves it as it is:
+//!
+//!   ```text
+//!   error: road-cut.ron cannot be opened
+//!     line 7, column 5: version = 2
+//!       the file was written by a newer meshcast and this one cannot read it
+//!       allowed: 0 to 1
+//!       use the newer meshcast; the file is left as it is
+//!   ```
 
 use super::error::Found;
 use super::patch::Edit;
+use super::schema::CURRENT_VERSION;
 use super::text::{Node, NodeKind, Tree};
 use super::write;
 use crate::problem::Problem;
@@ -22,6 +36,9 @@ const RENAMED_IN_1: &[(&str, &str)] =
 pub(crate) fn to_current(text: &str, tree: &Tree, version: u32) -> Result<String, Vec<Found>> {
     let mut edits = Vec::new();
     let mut found = Vec::new();
+    if let Some(entry) = tree.root.field("version") {
+        edits.push((entry.value.unwrapped().span, CURRENT_VERSION.to_string()));
+    }
     if version == 0 {
         from_0(&tree.root, &mut edits, &mut found);
     }
@@ -47,9 +64,6 @@ pub(crate) fn in_old_words(mut problem: Problem, version: u32) -> Problem {
 }
 
 fn from_0(root: &Node, edits: &mut Vec<Edit>, found: &mut Vec<Found>) {
-    if let Some(entry) = root.field("version") {
-        edits.push((entry.value.unwrapped().span, "1".to_string()));
-    }
     let layouts = root.field("layouts").and_then(|e| e.value.unwrapped().items());
     for (index, layout) in layouts.unwrap_or_default().iter().enumerate() {
         let Some(group) = layout.value.unwrapped().group() else { continue };
@@ -60,7 +74,9 @@ fn from_0(root: &Node, edits: &mut Vec<Edit>, found: &mut Vec<Found>) {
                     format!("layouts[{index}].{key}"),
                     format!("format version 0 calls this field {was}"),
                 )
-                .advice("if the file is of the current format, write version: 1");
+                .advice(format!(
+                    "if the file is of the current format, write version: {CURRENT_VERSION}"
+                ));
                 found.push(Found::new(span.start, problem));
             }
             if let Some((_, now)) = RENAMED_IN_1.iter().find(|r| r.0 == key) {

@@ -9,8 +9,8 @@ use crate::units::LengthUnit;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The format that this program writes. Version 0 is still read, see [`super::migrate`].
-pub(crate) const CURRENT_VERSION: u32 = 1;
+/// The format that this program writes. Older ones are still read, see [`super::migrate`].
+pub(crate) const CURRENT_VERSION: u32 = 2;
 
 /// A project: a site's layouts and the meshes they use.
 #[derive(Debug, Clone, PartialEq)]

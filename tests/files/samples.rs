@@ -30,13 +30,43 @@ fn every_good_file_opens_and_comes_back_byte_for_byte() {
         assert_eq!(opened.project.check(), Ok(()), "{}", path.display());
         let text = fs::read_to_string(&path).unwrap();
         if opened.document.migrated_from().is_none() {
-            assert_eq!(opened.document.render(&opened.project).text, text, "{}", path.display());
+            assert_eq!(
+                opened.document.render(&opened.project).unwrap().text,
+                text,
+                "{}",
+                path.display()
+            );
         }
         // The clean form holds the same project.
-        let clean = project::write::project(&opened.project);
+        let clean = project::write::project(&opened.project).unwrap();
         let again = project::parse(&clean, "clean").unwrap_or_else(|e| panic!("{e}\n{clean}"));
         assert_eq!(again.project, opened.project, "{}", path.display());
     }
+}
+
+/// All that a version 1 file has means the same in version 2.
+#[test]
+fn a_version_1_file_holds_the_same_project_as_its_version_2_twin() {
+    let mut twins = 0;
+    for path in files("tests/files/valid") {
+        let text = fs::read_to_string(&path).unwrap();
+        let one = project::parse(&text, "one").unwrap_or_else(|e| panic!("{e}"));
+        if one.document.migrated_from() != Some(1) {
+            continue;
+        }
+        twins += 1;
+        // No other field ends so.
+        let at = text.find("version").unwrap();
+        let number = if text[at..].contains("0x1") { "0x1" } else { "1" };
+        let twin = format!("{}{}", &text[..at], text[at..].replacen(number, "2", 1));
+        let two = project::parse(&twin, "two").unwrap_or_else(|e| panic!("{e}\n{twin}"));
+        assert_eq!(two.document.migrated_from(), None, "{}", path.display());
+        assert_eq!(one.project, two.project, "{}", path.display());
+        // And that twin is what a save makes of the file.
+        assert_eq!(one.document.render(&one.project).unwrap().text, twin, "{}", path.display());
+        assert_eq!(two.document.render(&two.project).unwrap().text, twin, "{}", path.display());
+    }
+    assert!(twins > 10, "only {twins}");
 }
 
 #[test]

@@ -179,11 +179,30 @@ fn an_older_file_is_brought_up_to_date_only_when_it_is_saved() {
     let report = opened.document.save(&opened.project, Overwrite::No).unwrap();
     assert_eq!(report.migrated_from, Some(0));
     let text = fs::read_to_string(&path).unwrap();
-    assert!(text.contains("version: 1") && text.contains("design_force: 25.0"), "{text}");
+    assert!(text.contains("version: 2") && text.contains("design_force: 25.0"), "{text}");
     assert!(text.contains("// the block") && text.contains("// Written before"), "{text}");
     let again = project::load(&path).unwrap();
     assert_eq!(again.document.migrated_from(), None);
     assert_eq!(again.project, opened.project);
+}
+
+#[test]
+fn a_version_1_file_is_saved_as_version_2_with_its_comments() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("one.ron");
+    let before = "// Ours.\n(version: 1, /* of spring */ name: \"p\", layouts: [\n    \
+                  (name: \"a\", d: 0.25, L: 3, D: 1), // wet\n])\n";
+    fs::write(&path, before).unwrap();
+    let mut opened = project::load(&path).unwrap();
+    assert_eq!(opened.document.migrated_from(), Some(1));
+    assert!(!opened.document.is_edited(&opened.project));
+    let mut project = opened.project.clone();
+    project.layouts[0].layout.plate = 0.3;
+    let report = opened.document.save(&project, Overwrite::No).unwrap();
+    assert!(report.comments_kept && report.migrated_from == Some(1));
+    let after = before.replace("version: 1", "version: 2").replace("d: 0.25", "d: 0.3");
+    assert_eq!(fs::read_to_string(&path).unwrap(), after);
+    assert_eq!(project::load(&path).unwrap().document.migrated_from(), None);
 }
 
 #[cfg(unix)]
