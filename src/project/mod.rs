@@ -10,22 +10,22 @@
 //!   [`settings`]: what the user decided for all projects.
 //! - [`migrate`]: older formats. `read`: from a tree to values; [`text`]: from a text to a tree.
 
-pub(crate) mod check;
-pub(crate) mod decode;
-pub(crate) mod document;
-pub(crate) mod error;
+mod check;
+mod decode;
+mod document;
+mod error;
 pub(crate) mod home;
 mod kept;
 mod load;
-pub(crate) mod migrate;
-pub(crate) mod patch;
+mod migrate;
+mod patch;
 mod read;
-pub(crate) mod recovery;
-pub(crate) mod save;
+mod recovery;
+mod save;
 pub mod schema;
 pub(crate) mod settings;
 pub mod text;
-pub(crate) mod wire_file;
+mod wire_file;
 mod words;
 pub mod write;
 

@@ -8,8 +8,8 @@
 //! - [`patch`]: the whole project; this file. [`fields`]: the fields of a struct. [`list`]: the
 //!   items of a list.
 
-pub(crate) mod fields;
-pub(crate) mod list;
+mod fields;
+mod list;
 
 use super::decode::{DISPLAY_FIELDS, LAYOUT_FIELDS, PROJECT_FIELDS};
 use super::schema::{NamedLayout, Project};
