@@ -25,11 +25,11 @@ impl App {
         }
         match word {
             "" => {}
-            "w" | "write" => return Ok(vec![self.save_effect(path_of(rest), false)]),
-            "w!" => return Ok(vec![self.save_effect(path_of(rest), true)]),
+            "w" | "write" => return Ok(self.save(path_of(rest), false)),
+            "w!" => return Ok(self.save(path_of(rest), true)),
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
-            "q!" => return Ok(vec![Command::ForgetRecovery, Command::Quit]),
+            "q!" => return Ok(self.quit(Some(self.project.clone()))),
             "export" => return self.export_command(rest, false),
             "export!" => return self.export_command(rest, true),
             "check" => match rest {

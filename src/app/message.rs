@@ -42,7 +42,7 @@ pub enum Message {
     SettingsKept(Result<Option<String>, String>),
     /// The project files that were found.
     Projects(Vec<FoundProject>),
-    /// Another project was opened, or could not be.
+    /// Another project was read, or could not be.
     Opened(Result<OpenedProject, OpenFailure>),
 }
 
@@ -170,10 +170,12 @@ pub enum Command {
     },
     /// Look for project files, and answer with [`Message::Projects`].
     ListProjects,
-    /// Open a project in place of this one, and answer with [`Message::Opened`]. Unsaved edits of
-    /// this one are let go when that succeeds.
+    /// Read a project that is to take the place of this one, and answer with [`Message::Opened`].
     OpenProject {
         /// Its file. A relative path is taken from the working directory.
         path: PathBuf,
     },
+    /// Go on with the project that was opened last: what is saved from now on goes to its file, and
+    /// unsaved edits of the former one are let go.
+    TakeOver,
 }

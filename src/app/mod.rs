@@ -27,6 +27,7 @@ pub mod open;
 pub(crate) mod output;
 pub(crate) mod pages;
 pub(crate) mod pasted;
+pub(crate) mod saving;
 pub mod settings;
 pub(crate) mod studies;
 pub mod tour;
@@ -41,6 +42,7 @@ use entry::LineEntry;
 use history::{History, HistoryStep};
 use keymap::Context;
 use look::Look;
+use saving::{FileWork, Then};
 use settings::{Preferences, Settings};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -79,8 +81,8 @@ pub enum Mode {
     ConfirmOverwrite {
         /// The other file to save to, or the project's own.
         path: Option<PathBuf>,
-        /// Whether to quit after saving.
-        quit: bool,
+        /// What was to follow the save.
+        then: Option<Then>,
     },
     /// The list of settings with one marked.
     Settings {
@@ -164,8 +166,7 @@ pub struct App {
     units: Option<LengthUnit>,
     size: (u16, u16),
     dirty: bool,
-    quit_after_save: bool,
-    open_after_save: Option<PathBuf>,
+    files: FileWork,
     /// What the help lies over; it comes back when the help is closed.
     under_help: Box<Mode>,
     work: Work,
@@ -214,8 +215,7 @@ impl App {
             units: start.units,
             size: start.size,
             dirty: true,
-            quit_after_save: false,
-            open_after_save: None,
+            files: FileWork::default(),
             under_help: Box::new(Mode::Main),
             work: Work::default(),
             studies: Studies::default(),

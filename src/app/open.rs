@@ -9,6 +9,7 @@ use super::message::{Command, FoundProject, OpenFailure, OpenedProject};
 use super::{App, Mode};
 use crate::case::Input;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The screen that asks which project to open.
 #[derive(Debug, Clone)]
@@ -117,44 +118,30 @@ impl App {
         }
     }
 
-    /// Opens a project; unsaved edits are asked about first.
-    pub(super) fn ask_to_open(&mut self, path: &Path) -> Vec<Command> {
-        let path = path.to_path_buf();
-        if self.edited() {
-            self.mode = Mode::ConfirmOpen { path };
-            return Vec::new();
-        }
-        vec![Command::OpenProject { path }]
-    }
-
-    /// The question was answered: save first.
-    pub(super) fn save_and_open(&mut self) -> Vec<Command> {
-        match std::mem::replace(&mut self.mode, Mode::Main) {
-            Mode::ConfirmOpen { path } => {
-                self.open_after_save = Some(path);
-                vec![self.save_effect(None, false)]
-            }
-            other => {
-                self.mode = other;
+    /// A project was read, or could not be: then all stays, with the reason.
+    pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Command> {
+        let Some(opening) = self.files.opened() else { return Vec::new() };
+        match result {
+            // Edits made meanwhile were not asked about.
+            Ok(_) if self.edited() && !Arc::ptr_eq(&opening.of, &self.project) => {
+                self.mode = Mode::ConfirmOpen { path: opening.path };
                 Vec::new()
             }
-        }
-    }
-
-    /// A project was opened, or could not be: then all stays, with the reason.
-    pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Command> {
-        match result {
             Ok(opened) => {
                 let stop = self.forget_work();
                 self.adopt(opened);
-                stop.into_iter().collect()
+                stop.into_iter().chain([Command::TakeOver]).collect()
             }
             Err(failure) => match &mut self.mode {
                 Mode::Open(picker) => {
                     picker.error = Some(failure.message);
                     Vec::new()
                 }
-                _ => self.show_picker(Some(failure.message)),
+                Mode::Main => self.show_picker(Some(failure.message)),
+                _ => {
+                    self.complain(failure.message.lines().next().unwrap_or("it cannot be opened"));
+                    Vec::new()
+                }
             },
         }
     }
@@ -169,8 +156,7 @@ impl App {
         self.selected = 0;
         self.field = Input::Plate;
         self.units = self.settings.units;
-        self.quit_after_save = false;
-        self.open_after_save = None;
+        self.files.drop_what_waits();
         self.mode = match opened.kept {
             Some(kept) => Mode::ConfirmRecovery { kept },
             None => Mode::Main,

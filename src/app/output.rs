@@ -11,13 +11,16 @@ impl App {
         let Mode::Export { index } = self.mode else { return Vec::new() };
         self.mode = Mode::Main;
         match ExportKind::ALL.get(index) {
-            Some(kind) => vec![self.export(*kind, None, false)],
+            Some(kind) => self.export(*kind, None, false),
             None => Vec::new(),
         }
     }
 
-    fn export(&self, kind: ExportKind, path: Option<PathBuf>, overwrite: bool) -> Command {
-        Command::Export {
+    fn export(&mut self, kind: ExportKind, path: Option<PathBuf>, overwrite: bool) -> Vec<Command> {
+        if self.opening_holds() {
+            return Vec::new();
+        }
+        vec![Command::Export {
             kind,
             project: self.project.clone(),
             edited: self.edited(),
@@ -25,7 +28,7 @@ impl App {
             unit: self.units(),
             path,
             overwrite,
-        }
+        }]
     }
 
     /// The `export` command: `export`, `export report`, `export chart portal.svg`.
@@ -50,7 +53,7 @@ impl App {
             return Err(format!("export one of: {}", words.join(", ")));
         };
         let path = (!path.is_empty()).then(|| PathBuf::from(path));
-        Ok(vec![self.export(kind, path, overwrite)])
+        Ok(self.export(kind, path, overwrite))
     }
 
     /// A file was written, or not.

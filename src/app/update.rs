@@ -3,11 +3,11 @@
 use super::entry::{EditTarget, LineEntry, LineKey};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
-use super::message::{Command, Message, SaveFailure, Saved};
+use super::message::{Command, Message};
 use super::{App, Mode, settings};
 use crate::case::{Input, StepSize};
 use crate::units::Quantity;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 impl App {
     /// Takes a message; returns what is to be done.
@@ -16,6 +16,7 @@ impl App {
         let mut effects = self.take(message);
         effects.extend(self.follow_edit());
         self.follow_page();
+        self.files.note(&effects);
         effects
     }
 
@@ -41,8 +42,9 @@ impl App {
                 effects
             }
             Message::Exported(result) => {
+                self.files.written(result.is_ok());
                 self.exported(result);
-                Vec::new()
+                self.go_on()
             }
             Message::Work(news) => {
                 self.news(news);
@@ -55,12 +57,13 @@ impl App {
             }
             Message::Opened(result) => self.opened(result),
             Message::SettingsKept(result) => {
+                self.files.written(result.is_ok());
                 match result {
                     Ok(Some(note)) => self.inform(note),
                     Ok(None) => {}
                     Err(why) => self.complain(why),
                 }
-                Vec::new()
+                self.go_on()
             }
             Message::Trouble(text) => {
                 self.complain(text);
@@ -163,7 +166,7 @@ impl App {
             Action::Units => self.set_units(self.units().other()),
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
-            Action::Save => return vec![self.save_effect(None, false)],
+            Action::Save => return self.save(None, false),
             Action::Command => self.mode = Mode::Entry(LineEntry::new(EditTarget::Command, "")),
             Action::Details => self.mode = Mode::Details { scroll: 0 },
             Action::Help => self.toggle_help(),
@@ -181,12 +184,14 @@ impl App {
             Action::Take => self.take_mesh(),
             // Going on without a decision would let new edits take the place of the kept ones.
             Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
-                return vec![Command::Quit];
+                return self.quit(None);
             }
             Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
             Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
             Action::Close => {
-                self.open_after_save = None;
+                if let Mode::Open(_) = self.mode {
+                    self.files.stop_opening();
+                }
                 self.mode = self.behind();
             }
             Action::SaveAndQuit => return self.save_and_quit(),
@@ -293,57 +298,6 @@ impl App {
         })
     }
 
-    pub(super) fn ask_to_quit(&mut self) -> Vec<Command> {
-        if self.edited() {
-            self.mode = Mode::ConfirmQuit;
-            Vec::new()
-        } else {
-            vec![Command::Quit]
-        }
-    }
-
-    pub(super) fn save_effect(&mut self, path: Option<PathBuf>, overwrite: bool) -> Command {
-        Command::Save { project: self.project.clone(), path, overwrite }
-    }
-
-    pub(super) fn save_and_quit(&mut self) -> Vec<Command> {
-        self.mode = Mode::Main;
-        if !self.edited() {
-            return vec![Command::Quit];
-        }
-        self.quit_after_save = true;
-        vec![self.save_effect(None, false)]
-    }
-
-    fn discard(&mut self) -> Vec<Command> {
-        match std::mem::replace(&mut self.mode, Mode::Main) {
-            Mode::ConfirmQuit => vec![Command::ForgetRecovery, Command::Quit],
-            // The edits stay where they are until the other project is open.
-            Mode::ConfirmOpen { path } => vec![Command::OpenProject { path }],
-            Mode::ConfirmRecovery { .. } => {
-                self.inform("the kept edits were dropped");
-                vec![Command::ForgetRecovery]
-            }
-            other => {
-                self.mode = other;
-                Vec::new()
-            }
-        }
-    }
-
-    fn overwrite(&mut self) -> Vec<Command> {
-        match std::mem::replace(&mut self.mode, Mode::Main) {
-            Mode::ConfirmOverwrite { path, quit } => {
-                self.quit_after_save = quit;
-                vec![self.save_effect(path, true)]
-            }
-            other => {
-                self.mode = other;
-                Vec::new()
-            }
-        }
-    }
-
     fn restore(&mut self) {
         match std::mem::replace(&mut self.mode, Mode::Main) {
             Mode::ConfirmRecovery { kept } => {
@@ -351,37 +305,6 @@ impl App {
                 self.inform("the kept edits are back, not saved yet; u undoes this");
             }
             other => self.mode = other,
-        }
-    }
-
-    /// A save has ended.
-    fn saved(&mut self, result: Result<Saved, SaveFailure>) -> Vec<Command> {
-        let quit = std::mem::take(&mut self.quit_after_save);
-        let open = self.open_after_save.take();
-        match result {
-            Ok(saved) => {
-                self.saved = saved.project;
-                let name = saved.path.display().to_string();
-                self.inform(match saved.note {
-                    Some(note) => format!("saved {name}; {note}"),
-                    None => format!("saved {name}"),
-                });
-                self.path = Some(saved.path);
-                if let Some(path) = open.filter(|_| !self.edited()) {
-                    return vec![Command::OpenProject { path }];
-                }
-                // Edits made while the save ran are not in the file.
-                if quit && !self.edited() { vec![Command::Quit] } else { Vec::new() }
-            }
-            Err(failure) => {
-                if failure.overwrite_helps {
-                    // What was to be opened after the save waits for the answer.
-                    self.open_after_save = open;
-                    self.mode = Mode::ConfirmOverwrite { path: failure.path, quit };
-                }
-                self.complain(failure.message);
-                Vec::new()
-            }
         }
     }
 }

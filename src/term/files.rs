@@ -15,17 +15,23 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub struct FileHost {
     home: Home,
     document: Mutex<Arc<Document>>,
+    /// What was opened last and has not taken over.
+    next: Mutex<Option<Arc<Document>>>,
 }
 
 impl FileHost {
     /// For a project that was just opened.
     pub(crate) fn new(document: Document, home: Home) -> FileHost {
-        FileHost { home, document: Mutex::new(Arc::new(document)) }
+        FileHost { home, document: Mutex::new(Arc::new(document)), next: Mutex::default() }
     }
 
     /// The lock is only held to copy or replace a pointer: nobody waits for a disk behind it.
     fn slot(&self) -> MutexGuard<'_, Arc<Document>> {
         self.document.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn next(&self) -> MutexGuard<'_, Option<Arc<Document>>> {
+        self.next.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn document(&self) -> Arc<Document> {
@@ -34,8 +40,8 @@ impl FileHost {
 }
 
 impl Host for FileHost {
-    /// Saves, drops recovery files that the save made pointless, and remembers the project for the
-    /// next start.
+    /// Saves, and remembers the project for the next start. A project that goes on with another file
+    /// leaves no recovery file with the former one.
     fn save(
         &self,
         project: &Arc<Project>,
@@ -50,9 +56,11 @@ impl Host for FileHost {
             None => document.save(project, overwrite),
         };
         let report = result.map_err(|error| failure(&error, path))?;
-        before.discard_recovery(&self.home);
-        document.discard_recovery(&self.home);
+        let moved = before.path() != document.path();
         *self.slot() = Arc::new(document);
+        if moved {
+            before.discard_recovery(&self.home);
+        }
         // Not to be found at the next start is no reason to call the save failed.
         let _ = self.home.remember(&report.path);
         let note = note(&report);
@@ -81,12 +89,20 @@ impl Host for FileHost {
         let path = &typed_path(path);
         let opened = project::load(path).map_err(|e| OpenFailure { message: e.to_string() })?;
         let Opened { document, project } = opened;
-        self.document().discard_recovery(&self.home);
         let _ = self.home.remember(path);
-        let (kept, note) = kept(&document, &self.home);
+        // The present project itself: its recovery file holds edits of this session, which are let go.
+        let again = self.document().path().is_some_and(|own| project::same_file(own, path));
+        let (kept, note) = if again { (None, None) } else { kept(&document, &self.home) };
         let note = note.or_else(|| migrated(&document));
-        *self.slot() = Arc::new(document);
+        *self.next() = Some(Arc::new(document));
         Ok(OpenedProject { project: Arc::new(project), path: path.to_path_buf(), note, kept })
+    }
+
+    fn take_over(&self) {
+        if let Some(next) = self.next().take() {
+            self.document().discard_recovery(&self.home);
+            *self.slot() = next;
+        }
     }
 
     fn export(&self, wanted: ExportWanted<'_>) -> Result<Exported, String> {

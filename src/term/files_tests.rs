@@ -20,13 +20,16 @@ fn edited(project: &Project, name: &str) -> Arc<Project> {
 }
 
 #[test]
-fn a_save_goes_to_the_file_and_drops_the_recovery_file() {
+fn a_save_goes_to_the_file_and_leaves_the_recovery_file_to_the_loop() {
     let (_dir, path, files, project) = open();
     let edited = edited(&project, "Road, north");
     let kept = files.recover(&edited).unwrap();
     assert!(kept.exists());
     let saved = files.save(&edited, None, false).unwrap();
     assert_eq!(saved.path, path);
+    // It may hold edits that were made while the save ran.
+    assert!(kept.exists());
+    files.forget_recovery().unwrap();
     assert!(!kept.exists());
     assert_eq!(project::load(&path).unwrap().project, *edited);
     assert_eq!(files.home.recent(), [path]);
@@ -37,7 +40,9 @@ fn another_name_is_the_projects_own_from_then_on() {
     let (dir, path, files, project) = open();
     let other = dir.path().join("other.ron");
     let first = edited(&project, "one");
+    let kept = files.recover(&first).unwrap();
     assert_eq!(files.save(&first, Some(&other), false).unwrap().path, other);
+    assert!(!kept.exists());
     let second = edited(&project, "two");
     assert_eq!(files.save(&second, None, false).unwrap().path, other);
     assert_eq!(project::load(&other).unwrap().project, *second);
@@ -95,6 +100,10 @@ fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_ow
     let opened = files.open(&other).unwrap();
     assert_eq!((opened.project.name.as_str(), opened.path.as_path()), ("Other", other.as_path()));
     assert_eq!(opened.kept.unwrap().name, "left behind");
+    // Until it takes over, what is kept and saved is the former's.
+    assert!(former.exists());
+    assert_eq!(files.recover(&edited(&project, "unsaved")).unwrap(), former);
+    files.take_over();
     assert!(!former.exists());
     assert!(left.exists());
     assert_eq!(files.home.recent(), std::slice::from_ref(&other));
@@ -103,4 +112,14 @@ fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_ow
     let row = found.iter().find(|f| f.path == other).unwrap();
     assert!(row.current && row.recent);
     assert!(found.iter().any(|f| f.path == path && !f.recent));
+}
+
+#[test]
+fn a_project_opened_again_does_not_offer_the_edits_of_this_session() {
+    let (_dir, path, files, project) = open();
+    let kept = files.recover(&edited(&project, "let go")).unwrap();
+    let again = files.open(&path).unwrap();
+    assert!(again.kept.is_none());
+    files.take_over();
+    assert!(!kept.exists());
 }

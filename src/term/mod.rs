@@ -2,13 +2,14 @@
 //! the program's state and carries out the effects it asks for.
 //!
 //! One channel, one receiver. The threads `input` and `signals` and any worker send to it; the main
-//! thread waits on it and does nothing else, so a terminal that is gone cannot hold it up:
+//! thread waits on it and does nothing else, so neither a terminal that is gone nor a slow disk can hold
+//! it up (only the small recovery file is written there):
 //!
 //! ```text
 //! bytes   -> decoder -> bursts -> input --+
-//! signals, new size  -> signals ----------+--> channel --> update --> effects --> Host (files)
-//! worker             -> workshop ---------+                  |
-//!                                                          draw --> Painter --> one write of what
+//! signals, new size  -> signals ----------+--> channel --> update --> effects --> filing (Host: files)
+//! answers            -> filing -----------+                  |           +------> workshop (checks)
+//! news               -> workshop ---------+                draw --> Painter --> one write of what
 //!                                                                                changed, cursor last
 //! ```
 //!
@@ -26,6 +27,7 @@ mod error;
 mod events;
 mod exports;
 mod files;
+mod filing;
 mod found;
 mod guard;
 mod input;

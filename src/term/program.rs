@@ -33,11 +33,13 @@ pub trait Program {
     fn look(&self) -> Look;
 }
 
-/// The outside world: files. Shared with the panic hook and the signal thread, which call
+/// The outside world: files. What may wait for a disk is called by a thread of its own, one call after
+/// the other; the recovery file is the business of the loop. Shared with the panic hook and the signal thread, which call
 /// [`recover`](Host::recover) at any moment, also while another call of this host has not returned;
 /// so `recover` must not wait for a lock that `save` holds.
 pub trait Host: Send + Sync {
-    /// Writes the project to `path`, or to its own file.
+    /// Writes the project to `path`, or to its own file. The recovery file stays: there may be edits
+    /// that were made meanwhile.
     fn save(
         &self,
         project: &Arc<Project>,
@@ -67,9 +69,12 @@ pub trait Host: Send + Sync {
         Vec::new()
     }
 
-    /// Opens a project in place of the present one, whose recovery file is dropped with it. When that
-    /// fails, the present one stays.
+    /// Reads a project that may take the place of the present one, see
+    /// [`take_over`](Host::take_over).
     fn open(&self, _path: &Path) -> Result<OpenedProject, OpenFailure> {
         Err(OpenFailure { message: "no other project can be opened here".to_owned() })
     }
+
+    /// Goes on with the project that was opened last; the recovery file of the present one is dropped.
+    fn take_over(&self) {}
 }

@@ -2,7 +2,7 @@
 
 use super::clipboard;
 use super::events::Event;
-use super::exports::ExportWanted;
+use super::filing::Filing;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
@@ -48,6 +48,7 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) rescue: Arc<Rescue>,
     pub(super) events: Receiver<Event>,
     pub(super) workshop: Workshop,
+    pub(super) filing: Filing,
     pub(super) painter: Painter,
     /// Whether the terminal may be sent what is to be copied.
     pub(super) clipboard: bool,
@@ -100,11 +101,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             Ok(event) => Some(event),
             Err(RecvTimeoutError::Timeout) => {
                 self.unkept_since = None;
-                if let Some(Err(why)) = self.rescue.keep() {
-                    self.update(Message::Trouble(format!(
-                        "unsaved edits could not be kept in the recovery file: {why}"
-                    )));
-                }
+                self.keep();
                 None
             }
             // All senders are gone: nothing will ever come.
@@ -128,23 +125,27 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
     /// Gives a message to the program and carries out what it asks for.
     fn update(&mut self, message: Message) {
         let mut messages = VecDeque::from([message]);
+        let mut saved = false;
         while let Some(message) = messages.pop_front() {
+            saved |= matches!(message, Message::Saved(Ok(_)));
             for effect in self.program.update(message) {
                 messages.extend(self.carry_out(effect));
             }
             // With an answer still to come the program may speak of what is no longer there.
             if messages.is_empty() {
-                self.note_unsaved();
+                self.note_unsaved(std::mem::take(&mut saved));
             }
         }
     }
 
-    /// Does what was asked for; returns what is to be told of it at once.
+    /// Does what was asked for, or has it done; returns what is to be told of it at once.
     fn carry_out(&mut self, effect: Command) -> Vec<Message> {
         let message = match effect {
-            Command::Save { project, path, overwrite } => {
-                Some(Message::Saved(self.host.save(&project, path.as_deref(), overwrite)))
-            }
+            Command::Save { .. }
+            | Command::Export { .. }
+            | Command::ListProjects
+            | Command::OpenProject { .. }
+            | Command::KeepSettings { .. } => self.filing.order(effect),
             Command::Recover { project } => {
                 let result = self.host.recover(&project);
                 self.rescue.kept(project);
@@ -158,12 +159,6 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.suspend(true);
                 None
             }
-            Command::Export { kind, project, edited, layout, unit, path, overwrite } => {
-                let path = path.as_deref();
-                let wanted =
-                    ExportWanted { kind, project: &project, edited, layout, unit, path, overwrite };
-                Some(Message::Exported(self.host.export(wanted)))
-            }
             Command::Work(order) => return self.workshop.order(order),
             Command::StopWork => {
                 self.workshop.stop();
@@ -175,18 +170,12 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 None
             }
             Command::Copy { text } => self.copy(&text),
-            Command::ListProjects => Some(Message::Projects(self.host.list())),
-            Command::OpenProject { path } => {
-                let result = self.host.open(&path);
-                if result.is_ok() {
-                    // The host dropped the former project's recovery file; what is there now
-                    // belongs to the new one.
-                    self.rescue.note(None);
-                }
-                Some(Message::Opened(result))
-            }
-            Command::KeepSettings { settings } => {
-                Some(Message::SettingsKept(self.host.keep_settings(&settings)))
+            Command::TakeOver => {
+                // The host drops the former project's recovery file; what is there then belongs to
+                // the new one.
+                self.rescue.note(None);
+                self.host.take_over();
+                None
             }
             Command::Quit => {
                 self.ending = Some(Ending::Quit);
@@ -218,16 +207,32 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         Some(Message::Trouble(format!("the recovery file could not be removed: {why}")))
     }
 
-    fn note_unsaved(&mut self) {
-        let pointless = self.rescue.note(self.program.unsaved());
-        if pointless {
+    /// Notes what is unsaved after a message. A save that has ended makes the recovery file pointless,
+    /// or, with edits made meanwhile, in need of being written anew: the save may have gone to another
+    /// file, whose recovery file is another one.
+    fn note_unsaved(&mut self, saved: bool) {
+        let unsaved = self.program.unsaved();
+        let clean = unsaved.is_none();
+        let pointless = self.rescue.note(unsaved);
+        if pointless || (saved && clean) {
             // The file would be offered at the next start, and refused or taken there.
             let _ = self.host.forget_recovery();
+        } else if saved {
+            self.keep();
         }
         if self.rescue.pending() {
             self.unkept_since.get_or_insert_with(Instant::now);
         } else {
             self.unkept_since = None;
+        }
+    }
+
+    /// Keeps what is unsaved in the recovery file.
+    fn keep(&mut self) {
+        if let Some(Err(why)) = self.rescue.keep() {
+            self.update(Message::Trouble(format!(
+                "unsaved edits could not be kept in the recovery file: {why}"
+            )));
         }
     }
 
@@ -237,10 +242,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             return;
         }
         for effect in self.program.update(Message::HangUp) {
-            if matches!(
-                effect,
-                Command::Recover { .. } | Command::ForgetRecovery | Command::Save { .. }
-            ) {
+            if matches!(effect, Command::Recover { .. } | Command::ForgetRecovery) {
                 self.carry_out(effect);
             }
         }

@@ -55,6 +55,8 @@ impl Stage for NotedStage {
 struct NotedHost {
     notes: Notes,
     full: bool,
+    /// A save waits for a word from here, as for a disk that does not answer.
+    gate: Option<Mutex<Receiver<()>>>,
 }
 
 impl Host for NotedHost {
@@ -65,6 +67,9 @@ impl Host for NotedHost {
         overwrite: bool,
     ) -> Result<Saved, SaveFailure> {
         note(&self.notes, format!("save {} {path:?} {overwrite}", project.name));
+        if let Some(gate) = &self.gate {
+            gate.lock().unwrap().recv_timeout(PATIENCE).unwrap();
+        }
         Ok(Saved { project: Arc::clone(project), path: PathBuf::new(), note: None })
     }
 
@@ -117,10 +122,10 @@ impl Program for NotedProgram {
                 }
                 note(&self.notes, format!("key {c}"));
             }
-            Message::Saved(_) => {
-                self.unsaved = None;
+            Message::Saved(result) => {
+                let saved = result.unwrap().project;
+                self.unsaved.take_if(|unsaved| Arc::ptr_eq(unsaved, &saved));
                 note(&self.notes, "saved");
-                return vec![Command::ForgetRecovery];
             }
             Message::Trouble(text) => note(&self.notes, format!("trouble: {text}")),
             Message::HangUp => {
@@ -134,6 +139,7 @@ impl Program for NotedProgram {
             Message::Opened(_) => {
                 self.unsaved = None;
                 note(&self.notes, "opened");
+                return vec![Command::TakeOver];
             }
             _ => {}
         }
@@ -169,24 +175,39 @@ struct Setting {
 const HEALTHY: Setting = Setting { broken: false, can_stop: true, full: false, autosave: None };
 
 /// Runs the loop on what `send` puts into the channel; all of it is there before the loop starts, unless
-/// `send` leaves a thread behind.
+/// `send` leaves a thread behind. Files are written on the spot.
 fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
     let notes = Notes::default();
-    let host = Arc::new(NotedHost { notes: Arc::clone(&notes), full: setting.full });
+    let host = NotedHost { notes: Arc::clone(&notes), full: setting.full, gate: None };
+    let host: Arc<dyn Host> = Arc::new(host);
     let (mail, events) = events::open();
     send(mail);
+    let filing = Filing::on_the_spot(Arc::clone(&host));
+    let ending = run_with(setting, host, filing, events, &notes);
+    let notes = notes.lock().unwrap().clone();
+    (ending, notes)
+}
+
+fn run_with(
+    setting: Setting,
+    host: Arc<dyn Host>,
+    filing: Filing,
+    events: Receiver<Event>,
+    notes: &Notes,
+) -> Ending {
     let mut program =
-        NotedProgram { notes: Arc::clone(&notes), count: 0, dirty: true, unsaved: None };
+        NotedProgram { notes: Arc::clone(notes), count: 0, dirty: true, unsaved: None };
     let (ending, _) = Loop {
         workshop: Workshop::none(),
+        filing,
         program: &mut program,
         stage: NotedStage {
-            notes: Arc::clone(&notes),
+            notes: Arc::clone(notes),
             broken: setting.broken,
             can_stop: setting.can_stop,
             size: (20, 4),
         },
-        rescue: Arc::new(Rescue::new(Arc::clone(&host) as Arc<dyn Host>)),
+        rescue: Arc::new(Rescue::new(Arc::clone(&host))),
         host,
         events,
         painter: Painter::new(Charset::Utf8),
@@ -199,8 +220,41 @@ fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
         ending: None,
     }
     .run();
-    let notes = notes.lock().unwrap().clone();
-    (ending, notes)
+    ending
+}
+
+/// Far beyond what any step here takes; only reached where something hangs.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Runs the loop with a host whose saves wait: once `word` is noted of the keys typed, the save goes on,
+/// and the program ends when it was answered.
+fn run_with_a_slow_disk(keys: &'static str, word: &'static str) -> Vec<String> {
+    let notes = Notes::default();
+    let (open_gate, gate) = std::sync::mpsc::channel();
+    let gate = Some(Mutex::new(gate));
+    let host: Arc<dyn Host> = Arc::new(NotedHost { notes: Arc::clone(&notes), full: false, gate });
+    let (mail, events) = events::open();
+    let filing = Filing::open(Arc::clone(&host), mail.clone());
+    let watched = Arc::clone(&notes);
+    let hears = move |word: &str| {
+        let start = Instant::now();
+        while !watched.lock().unwrap().iter().any(|noted| noted == word) {
+            if start.elapsed() > PATIENCE / 2 {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    };
+    std::thread::spawn(move || {
+        type_keys(&mail, keys);
+        hears(word);
+        let _ = open_gate.send(());
+        hears("saved");
+        type_keys(&mail, "q");
+    });
+    run_with(HEALTHY, host, filing, events, &notes);
+    let notes = notes.lock().unwrap();
+    notes.iter().filter(|noted| *noted != "frame").cloned().collect()
 }
 
 fn type_keys(mail: &Mail, keys: &str) {
@@ -235,6 +289,25 @@ fn what_comes_after_quit_is_not_looked_at() {
 fn a_save_is_answered_and_its_effects_carried_out() {
     let (_, notes) = run(HEALTHY, keys("esq"));
     assert_eq!(notes, ["size 20x4", "frame", "key e", "save edited None true", "saved", "forget"]);
+}
+
+#[test]
+fn keys_are_answered_while_a_save_waits_for_its_disk() {
+    let notes = run_with_a_slow_disk("es+", "key +");
+    let wanted = ["size 20x4", "key e", "save edited None true", "key +", "saved", "forget"];
+    // Which of the two threads is the first does not matter.
+    let mut notes = notes;
+    if notes[2] == "key +" {
+        notes.swap(2, 3);
+    }
+    assert_eq!(notes, wanted);
+}
+
+#[test]
+fn edits_made_while_a_save_runs_stay_unsaved_and_are_kept_again() {
+    let notes = run_with_a_slow_disk("es+e+n", "key n");
+    let end = notes.iter().position(|noted| noted == "saved").unwrap();
+    assert_eq!(notes[end..], ["saved", "recover edited"]);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::cells::Charset;
 use super::error::TermError;
 use super::events::{self, Event, Mail};
+use super::filing::Filing;
 use super::guard::{self, Guard};
 use super::painter::Painter;
 use super::panic::Hook;
@@ -82,6 +83,7 @@ impl Session {
         let (ending, _meter) = Loop {
             program,
             stage: Tty,
+            filing: Filing::open(Arc::clone(&host), mail.clone()),
             host,
             rescue: Arc::clone(&rescue),
             events,

@@ -1,7 +1,7 @@
 //! The screens around the work, by key script: settings, opening another project.
 
 use crate::harness::*;
-use meshcast::app::message::{Command, FoundProject, Message, OpenFailure, OpenedProject};
+use meshcast::app::message::{Command, FoundProject, Message, OpenFailure, OpenedProject, Saved};
 use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
@@ -162,7 +162,13 @@ fn projects_are_found_by_letters_and_opened() {
     press(&mut app, "nor");
     snapshot("open_filtered", &app);
     assert!(opens(&press(&mut app, "<Enter>")).ends_with("north-side.ron"));
-    app.update(Message::Opened(Ok(other())));
+    // The answers to the first two come too late to matter.
+    for _ in 0..2 {
+        assert!(app.update(Message::Opened(Ok(other()))).is_empty());
+        assert!(matches!(app.mode(), Mode::Open(_)));
+    }
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(matches!(effects[..], [Command::TakeOver]), "{effects:?}");
     assert!(matches!(app.mode(), Mode::Main));
     assert_eq!(app.project().name, "North side");
     assert_eq!(app.path().unwrap(), Path::new("/site/north/north-side.ron"));
@@ -423,4 +429,38 @@ fn a_check_of_the_former_project_ends_when_another_is_opened() {
     assert!(effects.iter().any(|e| matches!(e, Command::Work(_))), "{effects:?}");
     let effects = press(&mut app, ":set live off<Enter>");
     assert!(effects.iter().any(|e| matches!(e, Command::StopWork)), "{effects:?}");
+}
+
+#[test]
+fn while_another_project_is_read_the_present_one_goes_on() {
+    let mut app = app();
+    press(&mut app, ":open north.ron<Enter><Right>");
+    assert!(press(&mut app, "<C-s>").is_empty());
+    assert!(text(&app).contains("north.ron is being opened; wait for it"));
+    // The edit was made after it was asked for, and is asked about.
+    assert!(app.update(Message::Opened(Ok(other()))).is_empty());
+    assert!(app.edited() && app.project().name == "Road cut");
+    assert_eq!(opens(&press(&mut app, "d")), Path::new("north.ron"));
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(matches!(effects[..], [Command::TakeOver]), "{effects:?}");
+    assert_eq!(app.project().name, "North side");
+}
+
+#[test]
+fn a_project_that_was_left_again_is_not_opened() {
+    let mut app = app();
+    with_list(&mut app);
+    press(&mut app, "nor<Enter><Esc>");
+    assert!(app.update(Message::Opened(Ok(other()))).is_empty());
+    assert_eq!(app.project().name, "Road cut");
+}
+
+#[test]
+fn opening_waits_for_a_save_that_runs() {
+    let mut app = app();
+    let Command::Save { project, .. } = press(&mut app, "<Right><C-s>").remove(0) else { panic!() };
+    assert!(press(&mut app, ":open north.ron<Enter>").is_empty());
+    assert!(matches!(app.mode(), Mode::Main));
+    let saved = Saved { project, path: "/site/road-cut.ron".into(), note: None };
+    assert_eq!(opens(&app.update(Message::Saved(Ok(saved)))), Path::new("north.ron"));
 }

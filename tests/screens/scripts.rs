@@ -228,6 +228,48 @@ fn quitting_asks_only_when_edits_are_unsaved() {
 }
 
 #[test]
+fn quitting_waits_for_a_save_that_runs_and_says_so() {
+    let mut app = app();
+    let effects = press(&mut app, "<Right><C-s>");
+    assert!(press(&mut app, "q").is_empty());
+    assert!(text(&app).contains("still writing, then it quits"));
+    assert!(matches!(saved(&mut app, effects)[..], [Command::Quit]));
+
+    // Asked again it quits at once; what no file is known to hold is kept for the next start.
+    press(&mut app, "<Right><C-s>q");
+    assert!(matches!(press(&mut app, "q")[..], [Command::Recover { .. }, Command::Quit]));
+}
+
+#[test]
+fn edits_let_go_still_wait_for_what_was_asked_to_be_written() {
+    let mut app = app();
+    let effects = press(&mut app, "<Right>:w other.ron<Enter>");
+    press(&mut app, "<Right>");
+    assert!(press(&mut app, ":q!<Enter>").is_empty());
+    assert!(matches!(saved(&mut app, effects)[..], [Command::ForgetRecovery, Command::Quit]));
+    // So do reports, and one that fails is read before the program goes.
+    press(&mut app, ":export chart x.svg<Enter>");
+    assert!(press(&mut app, ":q!<Enter>").is_empty());
+    assert!(app.update(Message::Exported(Err("the disk is full".into()))).is_empty());
+    assert!(text(&app).contains("! the disk is full"));
+}
+
+#[test]
+fn edits_made_while_a_save_runs_are_not_saved() {
+    let mut app = app();
+    let effects = press(&mut app, "<Right><C-s>");
+    press(&mut app, "<Right>");
+    saved(&mut app, effects);
+    assert!(app.edited());
+    assert!(app.unsaved().is_some());
+    // Nor do they go with the program that was asked to quit before.
+    let effects = press(&mut app, ":wq<Enter>");
+    press(&mut app, "<Right>");
+    assert!(saved(&mut app, effects).is_empty());
+    assert!(text(&app).contains("Unsaved edits"));
+}
+
+#[test]
 fn a_failed_save_keeps_the_program_open_and_says_why() {
     let mut app = app();
     press(&mut app, "<Right>");

@@ -98,7 +98,6 @@ impl Program for Toy {
             Message::Saved(Ok(saved)) => {
                 self.unsaved = None;
                 self.say(&format!("saved {}", saved.project.name));
-                return vec![Command::ForgetRecovery];
             }
             Message::Saved(Err(failure)) => self.say(&failure.message),
             Message::Trouble(trouble) => self.say(&trouble),
