@@ -307,7 +307,8 @@ fn leave(pty: &mut Pty) {
 
 /// Whether all is as it should be afterwards.
 fn judge(pty: &Pty, path: &Path, seed: u64) {
-    pty.settle();
+    // The last thing that is sent, and only once.
+    pty.wait_for_bytes(b"\x1b[?1049l");
     let bytes = pty.received();
     let last = |part: &[u8]| bytes.windows(part.len()).rposition(|window| window == part);
     for (on, off) in [

@@ -51,7 +51,7 @@ impl Bench {
     /// An emulator follows from here on.
     pub(crate) fn watch(&mut self) {
         let mut emulator = emulator(self.size);
-        emulator.process(&self.whole());
+        emulator.process(&without_selectors(&self.whole()));
         self.emulator = Some(emulator);
     }
 
@@ -68,7 +68,7 @@ impl Bench {
     /// The screen as it would be if all of it were drawn now.
     pub(crate) fn fresh(&self) -> Vec<String> {
         let mut emulator = emulator(self.size);
-        emulator.process(&self.whole());
+        emulator.process(&without_selectors(&self.whole()));
         rows(&emulator)
     }
 
@@ -83,7 +83,7 @@ impl Bench {
         let Bench { app, painter, size, emulator } = self;
         let bytes = painter.paint(*size, app.look().color, |buffer| Program::draw(app, buffer));
         if let Some(emulator) = emulator {
-            emulator.process(bytes);
+            emulator.process(&without_selectors(bytes));
         }
         bytes.len()
     }
@@ -98,6 +98,11 @@ impl Bench {
 fn emulator((width, height): (u16, u16)) -> vt100::Parser {
     let size = |n| std::num::NonZeroU16::new(n).unwrap();
     vt100::Parser::new(size(height), size(width), 0)
+}
+
+/// What a terminal without variation selectors, such as tmux 3.3, takes of the bytes.
+fn without_selectors(bytes: &[u8]) -> Vec<u8> {
+    String::from_utf8_lossy(bytes).replace('\u{fe0f}', "").into_bytes()
 }
 
 fn rows(emulator: &vt100::Parser) -> Vec<String> {
