@@ -53,6 +53,11 @@ impl Dome {
         }
     }
 
+    /// Distance from the axis from which on no node's centre touches the dome, m.
+    pub(crate) fn reach(&self) -> f64 {
+        self.diameter / 2.0 + self.node
+    }
+
     /// Height of the apex over the flat net's nodes at punch displacement `delta`, m: at 0 it
     /// touches the nodes' spheres.
     pub(crate) fn apex(&self, delta: f64) -> f64 {

@@ -179,7 +179,7 @@ impl Plain {
             }
         }
         let Some(dome) = self.dome else { return (0.0, 0.0) };
-        let reach = dome.diameter / 2.0 + dome.node;
+        let reach = dome.reach();
         let (mut punch, mut energy) = (0.0, 0.0);
         for (node, place) in self.net.places.iter().enumerate() {
             let p = [0, 1, 2].map(|k| place[k] + self.moved[node][k]);

@@ -6,12 +6,13 @@
 //!   instead of the elastic one, which allows a step 2.5 times longer. In reference runs the true slope stays.
 //! - *Single precision* of displacements (not positions); reference runs use double precision.
 //! - *An inverse square root* good to 1e-6 in single precision (see [`lanes`]).
-//! - *Contact under the dome alone*, in blocks of columns found anew every few steps with a margin
-//!   that the nodes cannot cross in between; where they could, the run counts as diverged.
+//! - *Contact under the dome alone*, in blocks of columns found anew every few steps with a margin.
+//!   The search comes earlier where a node is fast enough to cross the margin by then (see [`reach`]);
+//!   one that crossed it all the same was pushed by nothing, and the run counts as diverged.
 //! - *No periodic images* where the net ends, *no values of single bonds* where all are alike.
 //!
-//! Files: [`state`] the planes, [`kernel`] one step, [`lanes`] the vectors, [`path`] which of them the
-//! processor has, this one the driver.
+//! Files: [`state`] the planes, [`reach`] the search, [`kernel`] one step, [`lanes`] the vectors,
+//! [`path`] which of them the processor has, this one the driver.
 //!
 //! Nothing outside can make it read past a plane or run an instruction that the processor lacks:
 //! [`NetState`] has private fields and one constructor, which sizes every plane, and a [`Path`] is had
@@ -21,6 +22,7 @@ mod kernel;
 pub(crate) mod lanes;
 mod path;
 mod plane;
+mod reach;
 pub(crate) mod state;
 
 use super::inertia::{self, PairModes, StepFactors};
@@ -35,11 +37,6 @@ use path::Set;
 pub use state::NetState;
 use state::{BLOCK, BondValues, MISSING, PAD, bond_values, curve};
 
-/// Steps between two searches for the blocks that may touch the dome.
-const SEARCH: usize = 32;
-/// Margin of that search, m: nodes move far less than this in [`SEARCH`] steps.
-const MARGIN: f64 = 0.04;
-
 /// The fast solver.
 #[derive(Debug, Clone)]
 pub struct Fast<R: Kernel> {
@@ -51,6 +48,8 @@ pub struct Fast<R: Kernel> {
     path: Path,
     deflection: f64,
     until_search: usize,
+    /// Whether a node came under the dome where contact is not looked for.
+    missed: bool,
 }
 
 /// How a fast solver is set up.
@@ -94,7 +93,9 @@ impl<R: Kernel> Fast<R> {
         let inertia =
             inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
         let modes = inertia.iter().map(PairModes::of).collect();
-        let state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
+        let mut state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
+        // Nothing was marked before, and nothing can have been missed.
+        let first = reach::search(&mut state, scene.dome.reach());
         Fast {
             scene: scene.clone(),
             modes,
@@ -102,37 +103,14 @@ impl<R: Kernel> Fast<R> {
             state,
             path: options.path,
             deflection: 0.0,
-            until_search: 0,
+            until_search: first.steps,
+            missed: false,
         }
     }
 
     /// The instruction set in use.
     pub fn path(&self) -> Path {
         self.path
-    }
-
-    /// Marks the blocks that may touch the dome within the next [`SEARCH`] steps.
-    fn search(&mut self) {
-        let state = &mut self.state;
-        let reach = self.scene.dome.diameter / 2.0 + self.scene.dome.node + MARGIN;
-        state.near.fill(false);
-        for row in 0..state.rows {
-            for end in 0..2 {
-                let along = state.along[row][end].wide();
-                if along.abs() > reach + 1.0 {
-                    continue; // No node moves a metre sideways.
-                }
-                for column in 0..state.columns {
-                    let at = PAD + row * state.stride + column;
-                    let x =
-                        state.across[row % 2][PAD + column].wide() + state.moved[end][0][at].wide();
-                    let y = along + state.moved[end][1][at].wide();
-                    if x * x + y * y < reach * reach {
-                        state.near[(row * state.stride + column) / BLOCK] = true;
-                    }
-                }
-            }
-        }
     }
 
     /// Visits every bond that exists: number, place in its plane, role.
@@ -158,23 +136,29 @@ impl<R: Kernel> Stepper for Fast<R> {
         for sum in &mut self.state.sums {
             sum.fill(R::default());
         }
-        let mut left = steps;
-        while left > 0 {
+        // Counted from here, so that the punch stands at the same bits whenever searches come.
+        let start = self.deflection;
+        let mut done = 0;
+        while done < steps {
             if self.until_search == 0 {
-                self.search();
-                self.until_search = SEARCH;
+                let found = reach::search(&mut self.state, self.scene.dome.reach());
+                self.missed |= found.missed;
+                self.until_search = found.steps;
             }
-            let now = left.min(self.until_search);
+            let now = (steps - done).min(self.until_search);
             let dome = &self.scene.dome;
-            let start = self.deflection;
             let heights = |step: usize| {
-                let apex = dome.apex(start + travel * step as f64);
+                let apex = dome.apex(start + travel * (done + step) as f64);
                 DomeHeights { cap: apex - dome.cap_depth, ring: apex - dome.ring_depth }
             };
             R::run(&mut self.state, self.path, now, &heights);
-            self.deflection += travel * now as f64;
             self.until_search -= now;
-            left -= now;
+            done += now;
+        }
+        self.deflection += travel * steps as f64;
+        if self.missed {
+            // No number, so that nobody takes the run for a sound one.
+            return StepBlock { deflection: mean, punch: f64::NAN, support: f64::NAN };
         }
         // In one order, whatever the vectors' width.
         let total = |sum: &[R]| sum.iter().map(|x| x.wide()).sum::<f64>() / steps as f64;
