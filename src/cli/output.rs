@@ -2,9 +2,7 @@
 
 use crate::problem::Problem;
 use crate::project::LoadError;
-use crate::units::without_noise;
 use clap::ValueEnum;
-use serde::Serializer;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -142,11 +140,6 @@ fn to_stdout(text: &str) -> io::Result<()> {
 pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Fault> {
     serde_json::to_string(value)
         .map_err(|e| Fault::Failure(format!("the result cannot be written as JSON: {e}")))
-}
-
-/// For `#[serde(serialize_with = ...)]`: a number without the noise of conversion.
-pub(crate) fn number<S: Serializer>(value: &f64, s: S) -> Result<S::Ok, S::Error> {
-    s.serialize_f64(without_noise(*value))
 }
 
 /// JSON objects as one line each in a list, or the one object alone.

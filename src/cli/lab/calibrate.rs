@@ -1,7 +1,7 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
 
 use crate::cli::check::{fidelity, threads};
-use crate::cli::output::{CommandEnd, Fault, Format, Output, json, number, wrapped};
+use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::{VERSION, quantity, wire};
 use crate::dem::{Controls, Fidelity};
@@ -11,7 +11,7 @@ use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
 use crate::project::{self, SaveError, wire_text};
 use crate::show::objects::pair;
-use crate::show::value::Object;
+use crate::show::value::{Object, Value, kn};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
 use crate::units::{shortest, significant, to_kn};
 use clap::Args;
@@ -118,7 +118,9 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     }
     let text = match args.format {
         Format::Text => text(&result),
-        Format::Json => json(&ResultJson::of(&result))? + "\n",
+        Format::Json => {
+            json(&ResultJson { object: object(&result), wire: &result.fit.wire })? + "\n"
+        }
     };
     let mut notes = Vec::new();
     if !result.fit.found {
@@ -305,81 +307,41 @@ fn text(r: &Result) -> String {
     lines.join("\n") + "\n"
 }
 
+/// The result as JSON, with the wires as a mesh file has them.
 #[derive(Serialize)]
 struct ResultJson<'a> {
-    version: &'static str,
-    command: String,
-    from: &'a str,
-    test: TestJson,
-    fit: FitJson,
-    held_fixed: Vec<String>,
-    laboratory: Object,
-    laboratory_standard_error: Object,
-    residual: ResidualJson,
-    anchored_reference: Object,
-    anchored_reference_standard_error: Object,
-    anchored_reference_runs: usize,
+    #[serde(flatten)]
+    object: Object,
     wire: &'a WireData,
 }
 
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct TestJson {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    delta_m: f64,
-    panel_m: f64,
-    punch_m: f64,
-}
-
-#[derive(Serialize)]
-struct FitJson {
-    stress_scale: f64,
-    strain_scale: f64,
-    runs: usize,
-    trials: usize,
-    found: bool,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct ResidualJson {
-    F_pct: f64,
-    delta_pct: f64,
-}
-
-impl<'a> ResultJson<'a> {
-    fn of(r: &'a Result) -> ResultJson<'a> {
-        let both =
-            |e: &Ensemble, part: fn(&Spread) -> f64| pair(part(&e.force), part(&e.deflection));
-        ResultJson {
-            version: VERSION,
-            command: command(r.args),
-            from: &r.args.from,
-            test: TestJson {
-                F_kN: to_kn(r.args.force),
-                delta_m: r.args.deflection,
-                panel_m: r.args.panel,
-                punch_m: r.args.punch,
-            },
-            fit: FitJson {
-                stress_scale: r.fit.stress,
-                strain_scale: r.fit.strain,
-                runs: r.fit.laboratory.runs.len(),
-                trials: r.fit.trials,
-                found: r.fit.found,
-            },
-            held_fixed: held(r),
-            laboratory: both(&r.fit.laboratory, |s| s.mean),
-            laboratory_standard_error: both(&r.fit.laboratory, |s| s.error),
-            residual: ResidualJson {
-                F_pct: 100.0 * r.fit.residual[0],
-                delta_pct: 100.0 * r.fit.residual[1],
-            },
-            anchored_reference: both(&r.anchored, |s| s.mean),
-            anchored_reference_standard_error: both(&r.anchored, |s| s.error),
-            anchored_reference_runs: r.anchored.runs.len(),
-            wire: &r.fit.wire,
-        }
-    }
+fn object(r: &Result) -> Object {
+    let test = Object::new()
+        .with("F_kN", kn(r.args.force))
+        .with("delta_m", Value::Exact(r.args.deflection))
+        .with("panel_m", Value::Exact(r.args.panel))
+        .with("punch_m", Value::Exact(r.args.punch));
+    let fit = Object::new()
+        .with("stress_scale", Value::Exact(r.fit.stress))
+        .with("strain_scale", Value::Exact(r.fit.strain))
+        .with("runs", r.fit.laboratory.runs.len())
+        .with("trials", r.fit.trials)
+        .with("found", r.fit.found);
+    let residual = Object::new()
+        .with("F_pct", Value::Exact(100.0 * r.fit.residual[0]))
+        .with("delta_pct", Value::Exact(100.0 * r.fit.residual[1]));
+    let both = |e: &Ensemble, part: fn(&Spread) -> f64| pair(part(&e.force), part(&e.deflection));
+    Object::new()
+        .with("version", VERSION)
+        .with("command", command(r.args))
+        .with("from", r.args.from.clone())
+        .with("test", test)
+        .with("fit", fit)
+        .with("held_fixed", held(r).into_iter().map(Value::from).collect::<Value>())
+        .with("laboratory", both(&r.fit.laboratory, |s| s.mean))
+        .with("laboratory_standard_error", both(&r.fit.laboratory, |s| s.error))
+        .with("residual", residual)
+        .with("anchored_reference", both(&r.anchored, |s| s.mean))
+        .with("anchored_reference_standard_error", both(&r.anchored, |s| s.error))
+        .with("anchored_reference_runs", r.anchored.runs.len())
 }

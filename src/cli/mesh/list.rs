@@ -1,8 +1,9 @@
 //! `meshcast mesh list`.
 
-use super::show::MeshJson;
+use super::show::object;
 use crate::cli::output::{CommandEnd, Format, json, result};
 use crate::mesh::catalogue;
+use crate::show::value::Value;
 use crate::units::{LengthUnit, force_text, length_text};
 use std::fmt::Write;
 
@@ -10,7 +11,7 @@ use std::fmt::Write;
 pub(crate) fn run(format: Format) -> CommandEnd {
     let meshes = catalogue::all();
     if format == Format::Json {
-        let all: Vec<MeshJson> = meshes.iter().map(|m| MeshJson::of(m)).collect();
+        let all: Value = meshes.iter().map(|m| object(m)).collect();
         return result(json(&all)? + "\n");
     }
     let widest = |text: fn(&crate::mesh::MeshType) -> &str, least: usize| {

@@ -1,12 +1,13 @@
 //! `meshcast mesh show ID`.
 
 use crate::cli::case::unknown_mesh;
-use crate::cli::output::{CommandEnd, Fault, Format, json, number, result, wrapped};
+use crate::cli::output::{CommandEnd, Fault, Format, json, result, wrapped};
 use crate::forecast::ratios;
 use crate::mesh::wire::{CurvePoint, Slack, WireData};
 use crate::mesh::{MeshType, catalogue};
+use crate::show::objects::pair;
+use crate::show::value::{Object, Value, exact};
 use crate::units::{LengthUnit, length_entry, shortest, to_kn};
-use serde::Serialize;
 
 /// Everything of one mesh.
 pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
@@ -15,7 +16,7 @@ pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
         return Err(Fault::input(unknown_mesh("ID", id, &known)));
     };
     match format {
-        Format::Json => result(json(&MeshJson::of(&mesh))? + "\n"),
+        Format::Json => result(json(&object(&mesh))? + "\n"),
         Format::Text => result(text(&mesh)),
     }
 }
@@ -107,99 +108,44 @@ fn slack(slack: Slack) -> String {
 }
 
 /// A mesh as JSON: SI with kN, stresses in MPa.
-#[derive(Serialize)]
-pub(super) struct MeshJson<'a> {
-    id: &'a str,
-    name: &'a str,
-    reference: bool,
-    example: bool,
-    lab: LabJson<'a>,
-    ratios: RatiosJson<'a>,
-    wire: Option<WireJson<'a>>,
+pub(super) fn object(mesh: &MeshType) -> Object {
+    let lab = &mesh.laboratory;
+    let lab = pair(lab.force, lab.deflection)
+        .with("statistic", lab.statistic.word())
+        .with("panel_m", lab.panel)
+        .with("punch_m", lab.punch)
+        .with("standard", lab.standard.clone())
+        .with("source", lab.source.clone());
+    let used = ratios::of_mesh(mesh);
+    let ratios = Object::new()
+        .with("alpha_F", used.force)
+        .with("alpha_delta", used.deflection)
+        .with("default", used.default)
+        .with("source", mesh.ratios.as_ref().map(|r| r.source.clone()));
+    Object::new()
+        .with("id", mesh.id.clone())
+        .with("name", mesh.title().to_string())
+        .with("reference", mesh.reference)
+        .with("example", mesh.example)
+        .with("lab", lab)
+        .with("ratios", ratios)
+        .with("wire", mesh.wire.as_ref().map(wire_object))
 }
 
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct LabJson<'a> {
-    #[serde(serialize_with = "number")]
-    F_kN: f64,
-    #[serde(serialize_with = "number")]
-    delta_m: f64,
-    statistic: &'static str,
-    #[serde(serialize_with = "number")]
-    panel_m: f64,
-    #[serde(serialize_with = "number")]
-    punch_m: f64,
-    standard: &'a str,
-    source: &'a str,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct RatiosJson<'a> {
-    #[serde(serialize_with = "number")]
-    alpha_F: f64,
-    #[serde(serialize_with = "number")]
-    alpha_delta: f64,
-    #[serde(rename = "default")]
-    is_default: bool,
-    source: Option<&'a str>,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct WireJson<'a> {
-    opening_m: f64,
-    twist_m: f64,
-    projection_m: f64,
-    diameter_m: f64,
-    node_mass_kg: f64,
-    node_radius_m: f64,
-    single_strain_stress_MPa: &'a [CurvePoint],
-    double_twist_strain_stress_MPa: &'a [CurvePoint],
-    lambda_u: f64,
-    lambda_F: f64,
-    slack: String,
-    source: &'a str,
-}
-
-impl<'a> MeshJson<'a> {
-    pub(super) fn of(mesh: &'a MeshType) -> MeshJson<'a> {
-        let (lab, used) = (&mesh.laboratory, ratios::of_mesh(mesh));
-        MeshJson {
-            id: &mesh.id,
-            name: mesh.title(),
-            reference: mesh.reference,
-            example: mesh.example,
-            lab: LabJson {
-                F_kN: to_kn(lab.force),
-                delta_m: lab.deflection,
-                statistic: lab.statistic.word(),
-                panel_m: lab.panel,
-                punch_m: lab.punch,
-                standard: &lab.standard,
-                source: &lab.source,
-            },
-            ratios: RatiosJson {
-                alpha_F: used.force,
-                alpha_delta: used.deflection,
-                is_default: used.default,
-                source: mesh.ratios.as_ref().map(|r| r.source.as_str()),
-            },
-            wire: mesh.wire.as_ref().map(|wire| WireJson {
-                opening_m: wire.net.opening,
-                twist_m: wire.net.twist,
-                projection_m: wire.net.projection,
-                diameter_m: wire.net.diameter,
-                node_mass_kg: wire.net.node_mass,
-                node_radius_m: wire.net.node_radius,
-                single_strain_stress_MPa: &wire.single,
-                double_twist_strain_stress_MPa: &wire.double_twist,
-                lambda_u: wire.distortion.lambda_u,
-                lambda_F: wire.distortion.lambda_f,
-                slack: slack(wire.distortion.slack),
-                source: &wire.source,
-            }),
-        }
-    }
+fn wire_object(wire: &WireData) -> Object {
+    let curve = |points: &[CurvePoint]| points.iter().map(|p| exact([p.0, p.1])).collect::<Value>();
+    let (net, distortion) = (&wire.net, &wire.distortion);
+    Object::new()
+        .with("opening_m", Value::Exact(net.opening))
+        .with("twist_m", Value::Exact(net.twist))
+        .with("projection_m", Value::Exact(net.projection))
+        .with("diameter_m", Value::Exact(net.diameter))
+        .with("node_mass_kg", Value::Exact(net.node_mass))
+        .with("node_radius_m", Value::Exact(net.node_radius))
+        .with("single_strain_stress_MPa", curve(&wire.single))
+        .with("double_twist_strain_stress_MPa", curve(&wire.double_twist))
+        .with("lambda_u", Value::Exact(distortion.lambda_u))
+        .with("lambda_F", Value::Exact(distortion.lambda_f))
+        .with("slack", slack(distortion.slack))
+        .with("source", wire.source.clone())
 }

@@ -1,6 +1,6 @@
 //! `meshcast validate --dem`: the paper's simulations beside ours.
 
-use crate::cli::output::{Fault, number, wrapped};
+use crate::cli::output::{Fault, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::dem::Fidelity;
@@ -8,8 +8,8 @@ use crate::lab::paper::{
     AIM, ERROR_AIM, PaperOptions, PaperQuantity, PaperRow, SHAPE_AIM, compare as paper,
 };
 use crate::mesh::catalogue;
+use crate::show::value::{Object, Value, exact};
 use crate::units::{significant, to_kn};
-use serde::Serialize;
 use std::fmt::Write;
 
 /// The comparison with the wires it was made with.
@@ -134,58 +134,34 @@ pub(crate) fn text(c: &Compared) -> String {
     out
 }
 
-#[derive(Serialize)]
-pub(crate) struct DemJson<'a> {
-    fidelity: Fidelity,
-    law: &'a str,
-    rows: Vec<RowJson<'a>>,
+/// A comparison as JSON.
+pub(crate) fn object(c: &Compared) -> Object {
+    Object::new()
+        .with("fidelity", c.fidelity.word())
+        .with("law", c.law.clone())
+        .with("rows", c.rows.iter().map(of_row).collect::<Value>())
 }
 
-#[derive(Serialize)]
-struct RowJson<'a> {
-    case: &'a str,
-    quantity: &'static str,
-    unit: &'static str,
-    #[serde(serialize_with = "number")]
-    paper: f64,
-    #[serde(serialize_with = "number")]
-    ours: f64,
-    band: [f64; 2],
-    #[serde(serialize_with = "number")]
-    difference: f64,
-    #[serde(serialize_with = "number")]
-    standard_error: f64,
-    mean_peak: Option<f64>,
-    law: &'static str,
-    aim: Option<f64>,
-    met: bool,
-    runs: usize,
-}
-
-impl<'a> DemJson<'a> {
-    /// Of a comparison.
-    pub(crate) fn of(c: &'a Compared) -> DemJson<'a> {
-        let rows = c.rows.iter().map(|row| RowJson {
-            case: &row.case,
-            quantity: match row.quantity {
-                PaperQuantity::Force => "force",
-                PaperQuantity::Deflection => "deflection",
-                PaperQuantity::Stiffness => "stiffness",
-                PaperQuantity::Ratio => "ratio",
-                PaperQuantity::Shape => "shape",
-            },
-            unit: unit(row),
-            paper: shown(row, row.paper),
-            ours: shown(row, row.ours),
-            band: row.band.map(|v| shown(row, v)),
-            difference: row.difference(),
-            standard_error: shown(row, row.error),
-            mean_peak: row.peak.map(|v| shown(row, v)),
-            law: row.standing.word(),
-            aim: row.aim,
-            met: row.hit(),
-            runs: row.runs,
-        });
-        DemJson { fidelity: c.fidelity, law: &c.law, rows: rows.collect() }
-    }
+fn of_row(row: &PaperRow) -> Object {
+    let quantity = match row.quantity {
+        PaperQuantity::Force => "force",
+        PaperQuantity::Deflection => "deflection",
+        PaperQuantity::Stiffness => "stiffness",
+        PaperQuantity::Ratio => "ratio",
+        PaperQuantity::Shape => "shape",
+    };
+    Object::new()
+        .with("case", row.case.clone())
+        .with("quantity", quantity)
+        .with("unit", unit(row))
+        .with("paper", shown(row, row.paper))
+        .with("ours", shown(row, row.ours))
+        .with("band", exact(row.band.map(|v| shown(row, v))))
+        .with("difference", row.difference())
+        .with("standard_error", shown(row, row.error))
+        .with("mean_peak", row.peak.map(|v| Value::Exact(shown(row, v))))
+        .with("law", row.standing.word())
+        .with("aim", row.aim.map(Value::Exact))
+        .with("met", row.hit())
+        .with("runs", row.runs)
 }

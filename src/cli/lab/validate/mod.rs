@@ -5,16 +5,17 @@
 
 mod dem;
 
+use crate::case::Input;
 use crate::cli::VERSION;
 use crate::cli::check::{fidelity, threads};
-use crate::cli::output::{CommandEnd, Format, Output, json, number, wrapped};
+use crate::cli::output::{CommandEnd, Format, Output, json, wrapped};
 use crate::dem::Fidelity;
 use crate::forecast::published::{
     PublishedComparison, TestRow, Validation, published, reference_point_factors, validate,
 };
 use crate::lab::paper::PaperOptions;
+use crate::show::value::{Object, Value};
 use clap::Args;
-use serde::Serialize;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 
@@ -54,10 +55,7 @@ pub(crate) fn run(args: &ValidateArgs) -> CommandEnd {
     };
     let result = match args.format {
         Format::Text => format!("{}\n{}", text(&validation), dem::text(&compared)),
-        Format::Json => {
-            let dem = dem::DemJson::of(&compared);
-            json(&WithDem { closed_form: ValidationJson::of(&validation), dem })? + "\n"
-        }
+        Format::Json => json(&object(&validation).with("dem", dem::object(&compared)))? + "\n",
     };
     Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
 }
@@ -65,17 +63,9 @@ pub(crate) fn run(args: &ValidateArgs) -> CommandEnd {
 fn outcome(validation: &Validation, format: Format) -> CommandEnd {
     let result = match format {
         Format::Text => text(validation),
-        Format::Json => json(&ValidationJson::of(validation))? + "\n",
+        Format::Json => json(&object(validation))? + "\n",
     };
     Ok(Output { result, failed: !validation.agrees(), ..Output::default() })
-}
-
-/// The closed form's comparison with that of the simulations beside it.
-#[derive(Serialize)]
-struct WithDem<'a> {
-    #[serde(flatten)]
-    closed_form: ValidationJson,
-    dem: dem::DemJson<'a>,
 }
 
 fn text(v: &Validation) -> String {
@@ -173,126 +163,48 @@ fn verdict(c: &PublishedComparison, by_construction: bool) -> &'static str {
     }
 }
 
-#[derive(Serialize)]
-struct ValidationJson {
-    version: &'static str,
-    source: &'static str,
-    agrees: bool,
-    table_1: Vec<TestJson>,
-    facts: Vec<FactJson>,
-    reference_point: ReferenceJson,
+fn object(v: &Validation) -> Object {
+    let facts = v.facts.iter().map(|(fact, c)| {
+        let fact = Object::new()
+            .with("fact", fact.words.clone())
+            .with("unit", fact.unit.clone())
+            .with("source", fact.source.clone());
+        fact.and(compared(c))
+    });
+    let point = Object::new()
+        .with("F_kN", compared(&v.reference_force))
+        .with("delta_m", compared(&v.reference_deflection));
+    Object::new()
+        .with("version", VERSION)
+        .with("source", published().source.clone())
+        .with("agrees", v.agrees())
+        .with("table_1", v.tests.iter().map(test).collect::<Value>())
+        .with("facts", facts.collect::<Value>())
+        .with("reference_point", point)
 }
 
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct TestJson {
-    test: u32,
-    inputs: InputsJson,
-    F_kN: CellJson,
-    delta_m: CellJson,
+fn compared(c: &PublishedComparison) -> Object {
+    Object::new()
+        .with("printed", c.printed.text())
+        .with("ours", c.ours)
+        .with("difference", c.difference())
+        .with("agrees", c.agrees())
 }
 
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct InputsJson {
-    d_m: f64,
-    L_m: f64,
-    D_m: f64,
-    ex_m: f64,
-    ey_m: f64,
-}
-
-#[derive(Serialize)]
-struct CellJson {
-    #[serde(flatten)]
-    compared: ComparedJson,
-    dem: &'static str,
-    by_construction: bool,
-}
-
-#[derive(Serialize)]
-struct ComparedJson {
-    printed: &'static str,
-    #[serde(serialize_with = "number")]
-    ours: f64,
-    #[serde(serialize_with = "number")]
-    difference: f64,
-    agrees: bool,
-}
-
-#[derive(Serialize)]
-struct FactJson {
-    fact: &'static str,
-    unit: &'static str,
-    source: &'static str,
-    #[serde(flatten)]
-    compared: ComparedJson,
-}
-
-#[derive(Serialize)]
-#[allow(non_snake_case, reason = "the names are the paper's symbols")]
-struct ReferenceJson {
-    F_kN: ComparedJson,
-    delta_m: ComparedJson,
-}
-
-impl ComparedJson {
-    fn of(c: &PublishedComparison) -> ComparedJson {
-        ComparedJson {
-            printed: c.printed.text(),
-            ours: c.ours,
-            difference: c.difference(),
-            agrees: c.agrees(),
-        }
-    }
-}
-
-impl ValidationJson {
-    fn of(v: &Validation) -> ValidationJson {
-        ValidationJson {
-            version: VERSION,
-            source: &published().source,
-            agrees: v.agrees(),
-            table_1: v.tests.iter().map(TestJson::of).collect(),
-            facts: v
-                .facts
-                .iter()
-                .map(|(fact, c)| FactJson {
-                    fact: &fact.words,
-                    unit: &fact.unit,
-                    source: &fact.source,
-                    compared: ComparedJson::of(c),
-                })
-                .collect(),
-            reference_point: ReferenceJson {
-                F_kN: ComparedJson::of(&v.reference_force),
-                delta_m: ComparedJson::of(&v.reference_deflection),
-            },
-        }
-    }
-}
-
-impl TestJson {
-    fn of(row: &TestRow) -> TestJson {
-        let t = row.test;
-        let cell = |c: &PublishedComparison, dem| CellJson {
-            compared: ComparedJson::of(c),
-            dem,
-            by_construction: t.by_construction,
-        };
-        TestJson {
-            test: t.test,
-            inputs: InputsJson {
-                d_m: t.plate,
-                L_m: t.spacing,
-                D_m: t.punch,
-                ex_m: t.ex,
-                ey_m: t.ey,
-            },
-            F_kN: cell(&row.force, t.dem.force.text()),
-            delta_m: cell(&row.deflection, t.dem.deflection.text()),
-        }
-    }
+fn test(row: &TestRow) -> Object {
+    let t = row.test;
+    let cell = |c: &PublishedComparison, dem: &'static str| {
+        compared(c).with("dem", dem).with("by_construction", t.by_construction)
+    };
+    let sizes = [t.plate, t.spacing, t.punch, t.ex, t.ey];
+    let inputs = Input::GEOMETRY.iter().zip(sizes).fold(Object::new(), |object, (input, size)| {
+        object.with(input.column(), Value::Exact(size))
+    });
+    Object::new()
+        .with("test", t.test as usize)
+        .with("inputs", inputs)
+        .with("F_kN", cell(&row.force, t.dem.force.text()))
+        .with("delta_m", cell(&row.deflection, t.dem.deflection.text()))
 }
 
 #[cfg(test)]
