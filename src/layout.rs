@@ -2,6 +2,7 @@
 
 use crate::problem::Problem;
 use crate::units::shortest;
+use crate::words::Choice;
 
 /// Anchors on a square grid and one punching element, all in metres.
 ///
@@ -36,9 +37,10 @@ pub enum BranchRule {
     Conservative,
 }
 
-impl BranchRule {
-    /// The word for people and files: `published` or `conservative`.
-    pub(crate) fn word(self) -> &'static str {
+impl Choice for BranchRule {
+    const ALL: &'static [BranchRule] = &[BranchRule::Published, BranchRule::Conservative];
+
+    fn word(self) -> &'static str {
         match self {
             BranchRule::Published => "published",
             BranchRule::Conservative => "conservative",

@@ -5,7 +5,8 @@
 //!
 //! - [`units`], [`problem`], [`fingerprint`]: quantities as people write them; a bad input as a
 //!   value; whether two results have the same inputs.
-//! - [`words`]: mistyped words and the known one that was meant.
+//! - [`remark`]: how much something that a result says of itself weighs.
+//! - [`words`]: words of choices; mistyped words and the known one that was meant.
 //! - [`axis`]: round ticks for the axes of a chart, on the screen and on paper.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
@@ -42,6 +43,7 @@ pub mod layout;
 pub mod mesh;
 pub mod problem;
 pub mod project;
+pub mod remark;
 mod show;
 pub mod study;
 pub mod term;

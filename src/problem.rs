@@ -71,6 +71,16 @@ impl Problem {
     }
 }
 
+/// Some problems in a line: the first, and how many there are besides. Never empty, so that nobody is
+/// refused without a word.
+pub(crate) fn summary(found: &[Problem]) -> String {
+    match found {
+        [] => "no reason is known".into(),
+        [one] => one.to_string(),
+        [first, others @ ..] => format!("{first} (and {} more)", others.len()),
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.field.is_empty() {

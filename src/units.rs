@@ -5,6 +5,7 @@
 //! a bare number in a file or on the command line is metres or kilonewtons, on the screen it is in
 //! the unit the screen shows.
 
+use crate::words::Choice;
 use std::fmt;
 
 /// What a number measures, so that its unit can be read and checked.
@@ -53,6 +54,14 @@ impl LengthUnit {
             LengthUnit::Metre => LengthUnit::Millimetre,
             LengthUnit::Millimetre => LengthUnit::Metre,
         }
+    }
+}
+
+impl Choice for LengthUnit {
+    const ALL: &'static [LengthUnit] = &[LengthUnit::Metre, LengthUnit::Millimetre];
+
+    fn word(self) -> &'static str {
+        self.symbol()
     }
 }
 

@@ -1,6 +1,26 @@
-//! Mistyped words, and the known one that was meant.
+//! Words: of choices, and mistyped ones with the known one that was meant.
 
 use strsim::levenshtein;
+
+/// Something chosen from a few, each with a word of its own in files, on the command line, among the
+/// settings and for people.
+pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
+    /// All of them, in the order in which they are listed.
+    const ALL: &'static [Self];
+
+    /// The word of one.
+    fn word(self) -> &'static str;
+
+    /// The one of a word.
+    fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|one| one.word() == word)
+    }
+}
+
+/// The words of some choices.
+pub(crate) fn words_of<T: Choice>(choices: &[T]) -> Vec<&'static str> {
+    choices.iter().map(|one| one.word()).collect()
+}
 
 /// The known word that differs least from `typed`, if it is near enough to be what was meant: at most
 /// one change for every three letters, capitals aside, or the only one that begins so.

@@ -14,6 +14,7 @@ use crate::fingerprint::Fingerprint;
 use crate::job::checks::{CheckTarget, Checks};
 use crate::job::news::{News, Progress, What};
 use crate::job::order::{Order, Task};
+use crate::problem::summary;
 use crate::project::Project;
 use crate::study::result::CheckResult;
 use crate::study::result::Wanted;
@@ -312,7 +313,7 @@ impl App {
             What::Made { uid, made, .. } => self.keep_check(uid, made),
             What::Case { .. } => {}
             What::Refused { uid, problems } => {
-                let why = problems.first().map_or(String::new(), |p| p.to_string());
+                let why = summary(&problems);
                 if live {
                     self.work.live_refused = Some((uid, why));
                     self.work.live_result = None;

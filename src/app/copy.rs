@@ -4,6 +4,8 @@ use super::App;
 use super::derived::LayoutResult;
 use super::message::Command;
 use crate::case::Input;
+use crate::case::NO_FIELD_VALUE;
+use crate::problem::summary;
 use crate::project::schema::NamedLayout;
 use crate::show::layouts::{self, LayoutParts, LayoutRow};
 use crate::units::{force_text, length_text, significant, to_kn};
@@ -63,10 +65,8 @@ impl App {
         let m = |v: f64| length_text(v, self.units());
         let answer = match (&self.result().derived, self.result().forecast().and_then(|f| f.field))
         {
-            (Err(problems), _) => {
-                problems.first().map_or("no forecast".into(), ToString::to_string)
-            }
-            (_, None) => "no field value: outside the method".into(),
+            (Err(problems), _) => summary(problems),
+            (_, None) => NO_FIELD_VALUE.into(),
             (Ok(derived), Some(field)) => {
                 let mut text = format!(
                     "F_a {}, delta_a {}",
@@ -74,11 +74,7 @@ impl App {
                     m(field.values.deflection)
                 );
                 if let Some(a) = self.result().answer().and_then(|d| d.at_force) {
-                    text += &format!(
-                        ", use {:.0} % at {} kN",
-                        a.utilisation * 100.0,
-                        significant(to_kn(a.load), 3)
-                    );
+                    text += &format!(", {} at {} kN", a.use_text(), significant(to_kn(a.load), 3));
                 }
                 if derived.forecast.extrapolated() {
                     text += ", extrapolated";

@@ -2,8 +2,8 @@
 //! frames. Plain settings; `term` finds the defaults, `ui` obeys them.
 
 pub use crate::show::glyphs::Glyphs;
+use crate::words::Choice;
 use std::fmt;
-use std::str::FromStr;
 
 /// What colours may be used. Nothing on the screen means anything by colour alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -36,38 +36,15 @@ pub struct Look {
     pub glyphs: Glyphs,
 }
 
-/// A word that names no choice; the message lists those there are.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("'{given}' is none of {allowed}")]
-pub struct UnknownLook {
-    /// What was given.
-    pub(crate) given: String,
-    /// What would have done.
-    pub(crate) allowed: &'static str,
-}
+impl Choice for ColorChoice {
+    const ALL: &'static [ColorChoice] =
+        &[ColorChoice::Auto, ColorChoice::Basic16, ColorChoice::None];
 
-impl FromStr for ColorChoice {
-    type Err = UnknownLook;
-
-    fn from_str(word: &str) -> Result<Self, UnknownLook> {
-        match word {
-            "auto" => Ok(ColorChoice::Auto),
-            "16" => Ok(ColorChoice::Basic16),
-            "none" => Ok(ColorChoice::None),
-            _ => Err(UnknownLook { given: word.to_owned(), allowed: "auto, 16, none" }),
-        }
-    }
-}
-
-impl FromStr for Glyphs {
-    type Err = UnknownLook;
-
-    fn from_str(word: &str) -> Result<Self, UnknownLook> {
-        match word {
-            "braille" => Ok(Glyphs::Braille),
-            "block" => Ok(Glyphs::Block),
-            "ascii" => Ok(Glyphs::Ascii),
-            _ => Err(UnknownLook { given: word.to_owned(), allowed: "braille, block, ascii" }),
+    fn word(self) -> &'static str {
+        match self {
+            ColorChoice::Auto => "auto",
+            ColorChoice::Basic16 => "16",
+            ColorChoice::None => "none",
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::layout::Layout;
 use crate::mesh;
 use crate::problem::Problem;
 use crate::units::{Quantity, shortest, to_kn};
+use crate::words::Choice;
 
 /// One input of a case. Lengths are metres and forces newtons, everywhere but in texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -282,6 +283,26 @@ const TABLE: [InputRow; 11] = [
 /// What a partial factor may be.
 const FACTOR: Range = Range::Between(0.5, 5.0);
 
+impl Choice for Input {
+    const ALL: &'static [Input] = &[
+        Input::Plate,
+        Input::Spacing,
+        Input::Punch,
+        Input::OffsetX,
+        Input::OffsetY,
+        Input::DesignForce,
+        Input::AllowableDeflection,
+        Input::GammaLoad,
+        Input::GammaResistance,
+        Input::LabForce,
+        Input::LabDeflection,
+    ];
+
+    fn word(self) -> &'static str {
+        self.row().word
+    }
+}
+
 impl Input {
     /// The inputs of a layout and its design question, in the order of screens and flags.
     pub const LAYOUT: [Input; 9] = [
@@ -429,6 +450,7 @@ mod tests {
 
     #[test]
     fn the_table_stands_in_the_order_of_the_inputs() {
+        assert_eq!(Input::ALL.len(), TABLE.len());
         for (at, row) in TABLE.iter().enumerate() {
             assert_eq!(row.input as usize, at, "{:?}", row.input);
         }

@@ -18,11 +18,12 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, answer};
 use crate::forecast::field::Branch;
 use crate::forecast::fingerprint::{of_inputs, of_question};
-use crate::forecast::warning::{Warning, Weight};
+use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
-use crate::problem::Problem;
+use crate::problem::{Problem, summary};
+use crate::remark::Weight;
 use std::sync::Arc;
 
 /// One layout with all that its forecast and its check depend on.
@@ -76,6 +77,10 @@ pub enum NoValue {
     PunchOnPlate,
 }
 
+/// What is said where a sound layout has no field value.
+pub(crate) const NO_FIELD_VALUE: &str =
+    "no field value: the punch is on an anchor plate, outside the method";
+
 impl NoValue {
     /// Stable identifier for programs: `senseless` or, as the forecast's warning, `punch_on_plate`.
     pub(crate) fn code(&self) -> &'static str {
@@ -90,6 +95,14 @@ impl NoValue {
         match self {
             NoValue::Senseless(_) => "no sense",
             NoValue::PunchOnPlate => "on plate",
+        }
+    }
+
+    /// That there is no value, and why.
+    pub(crate) fn sentence(&self) -> String {
+        match self {
+            NoValue::Senseless(problems) => format!("no value: {}", summary(problems)),
+            NoValue::PunchOnPlate => NO_FIELD_VALUE.into(),
         }
     }
 }
@@ -243,31 +256,15 @@ mod tests {
     use super::example as case;
     use super::*;
     use crate::layout::REFERENCE;
-
-    const ALL: [Input; 11] = {
-        use Input::*;
-        [
-            Plate,
-            Spacing,
-            Punch,
-            OffsetX,
-            OffsetY,
-            DesignForce,
-            AllowableDeflection,
-            GammaLoad,
-            GammaResistance,
-            LabForce,
-            LabDeflection,
-        ]
-    };
+    use crate::words::Choice;
 
     #[test]
     fn every_input_is_set_and_read_back() {
         let base = case(REFERENCE, None);
-        for input in ALL {
+        for input in Input::ALL.iter().copied() {
             let changed = base.with(input, 0.5);
             assert_eq!(changed.get(input), Some(0.5), "{input:?}");
-            for other in ALL.into_iter().filter(|o| *o != input) {
+            for other in Input::ALL.iter().copied().filter(|o| *o != input) {
                 assert_eq!(changed.get(other), base.get(other), "{input:?} moves {other:?}");
             }
             assert_ne!(changed.question_fingerprint(), base.question_fingerprint());

@@ -1,6 +1,7 @@
 //! One layout to forecast: from a project file or the defaults, with the flags above both.
 
 use super::UiFlags;
+use super::choice::one_of;
 use super::input_flags::InputFlags;
 use super::output::Fault;
 use crate::case::{Input, NamedCase};
@@ -9,9 +10,8 @@ use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
 use crate::units::LengthUnit;
-use crate::words::nearest;
+use crate::words::{Choice, nearest};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -84,7 +84,7 @@ pub(crate) struct Inputs {
     #[command(flatten)]
     geometry: Geometry,
     /// Branch of Eqs. A.1-A.2: by the size of the block as published, or the lower force.
-    #[arg(long, value_name = "RULE", value_parser = branch_rule())]
+    #[arg(long, value_name = "RULE", value_parser = one_of(BranchRule::ALL))]
     branch: Option<BranchRule>,
     #[command(flatten)]
     question: InputFlags<true>,
@@ -94,17 +94,6 @@ impl From<Geometry> for Inputs {
     fn from(geometry: Geometry) -> Self {
         Inputs { geometry, ..Inputs::default() }
     }
-}
-
-fn branch_rule() -> impl TypedValueParser<Value = BranchRule> {
-    let words = [BranchRule::Published, BranchRule::Conservative].map(BranchRule::word);
-    PossibleValuesParser::new(words).map(|word| {
-        if word == BranchRule::Conservative.word() {
-            BranchRule::Conservative
-        } else {
-            BranchRule::Published
-        }
-    })
 }
 
 impl Inputs {

@@ -4,6 +4,7 @@ use super::UiFlags;
 use super::destination::Destination;
 use super::output::{CommandEnd, Fault};
 use super::source::ProjectFile;
+use crate::case::NO_FIELD_VALUE;
 use crate::export::form::Form;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Check, ExportedLayout, csv};
@@ -82,11 +83,8 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
     let (opened, cases) = args.project.open(args.layout.as_deref())?;
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
     let without = cases.iter().filter(|case| case.forecast().field.is_none());
-    let notes: Vec<String> = without
-        .map(|case| {
-            format!("layout {:?}: no field value; the punch is on an anchor plate", case.entry.name)
-        })
-        .collect();
+    let notes: Vec<String> =
+        without.map(|case| format!("layout {:?}: {NO_FIELD_VALUE}", case.entry.name)).collect();
     let (text, notes) = match what {
         What::Curve => (csv::case_curves(&cases), notes),
         What::Table => (csv::table(&cases), Vec::new()),

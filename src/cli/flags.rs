@@ -1,22 +1,25 @@
 //! Flags of the interactive program, which every subcommand takes too.
 
+use super::choice::{explained, one_of};
+use crate::app::look::{ColorChoice, Glyphs};
 use crate::app::settings::{SettingItem, Settings};
+use crate::dem::Fidelity;
 use crate::units::LengthUnit;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
+use crate::words::Choice;
+use clap::Args;
 
 /// Flags that decide how the interactive program looks. What is missing is left to the environment
 /// (`NO_COLOR` means no colour), the project and the user's settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Args)]
 pub(crate) struct UiFlags {
     /// Colours of the screen; NO_COLOR in the environment means none.
-    #[arg(long, global = true, value_enum, value_name = "COLOURS", help_heading = "Screen")]
-    pub(crate) color: Option<ColorFlag>,
+    #[arg(long, global = true, value_name = "COLOURS", value_parser = explained(COLORS), help_heading = "Screen")]
+    pub(crate) color: Option<ColorChoice>,
     /// Signs that curves are drawn with.
-    #[arg(long, global = true, value_enum, value_name = "SIGNS", help_heading = "Screen")]
-    pub(crate) glyphs: Option<GlyphFlag>,
+    #[arg(long, global = true, value_name = "SIGNS", value_parser = explained(GLYPHS), help_heading = "Screen")]
+    pub(crate) glyphs: Option<Glyphs>,
     /// Unit of lengths on the screen and in text results; files, JSON and CSV are always in metres.
-    #[arg(long, global = true, value_name = "UNIT", value_parser = length_unit(), help_heading = "Screen")]
+    #[arg(long, global = true, value_name = "UNIT", value_parser = one_of(LengthUnit::ALL), help_heading = "Screen")]
     pub(crate) units: Option<LengthUnit>,
 }
 
@@ -25,8 +28,8 @@ pub(crate) struct UiFlags {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Args)]
 pub(crate) struct StartFlags {
     /// How exactly checks compute in the program.
-    #[arg(long, value_enum, value_name = "FIDELITY", help_heading = "Program")]
-    pub(crate) fidelity: Option<FidelityFlag>,
+    #[arg(long, value_name = "FIDELITY", value_parser = explained(FIDELITIES), help_heading = "Program")]
+    pub(crate) fidelity: Option<Fidelity>,
     /// Runs of a check in the program: auto or a number.
     #[arg(long, value_name = "N", value_parser = runs, help_heading = "Program")]
     pub(crate) runs: Option<Runs>,
@@ -56,16 +59,26 @@ fn runs(text: &str) -> Result<Runs, String> {
     Ok(Runs(settings.runs))
 }
 
-/// How exactly to compute.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FidelityFlag {
-    /// Errors within 3 %.
-    Quick,
-    /// Errors within 1 %.
-    Standard,
-    /// Errors within 0.2 %.
-    Fine,
-}
+/// What each fidelity means; the reference is for comparing the others with it.
+const FIDELITIES: &[(Fidelity, &str)] = &[
+    (Fidelity::Quick, "Errors within 3 %"),
+    (Fidelity::Standard, "Errors within 1 %"),
+    (Fidelity::Fine, "Errors within 0.2 %"),
+];
+
+/// What each choice of colours means.
+const COLORS: &[(ColorChoice, &str)] = &[
+    (ColorChoice::Auto, "What the terminal can show"),
+    (ColorChoice::Basic16, "The sixteen named colours at most"),
+    (ColorChoice::None, "No colour"),
+];
+
+/// What each set of signs is.
+const GLYPHS: &[(Glyphs, &str)] = &[
+    (Glyphs::Braille, "Braille dots, two by four a character"),
+    (Glyphs::Block, "Block characters"),
+    (Glyphs::Ascii, "Plain ASCII"),
+];
 
 impl StartFlags {
     /// Whether any of them was given.
@@ -76,8 +89,8 @@ impl StartFlags {
 
 /// The flags of this run as settings with their words.
 pub(crate) fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(SettingItem, String)> {
-    fn word<T: ValueEnum>(value: &T) -> String {
-        value.to_possible_value().map_or(String::new(), |v| v.get_name().to_string())
+    fn word<T: Choice>(choice: T) -> String {
+        choice.word().to_string()
     }
     let switch = |on: bool, off: bool, words: [&str; 2]| match (on, off) {
         (true, _) => Some(words[0].to_string()),
@@ -85,10 +98,10 @@ pub(crate) fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(SettingItem, St
         _ => None,
     };
     [
-        (SettingItem::Units, ui.units.map(|u| u.symbol().to_string())),
-        (SettingItem::Glyphs, ui.glyphs.as_ref().map(word)),
-        (SettingItem::Color, ui.color.as_ref().map(word)),
-        (SettingItem::Fidelity, start.fidelity.as_ref().map(word)),
+        (SettingItem::Units, ui.units.map(word)),
+        (SettingItem::Glyphs, ui.glyphs.map(word)),
+        (SettingItem::Color, ui.color.map(word)),
+        (SettingItem::Fidelity, start.fidelity.map(word)),
         (SettingItem::Runs, start.runs.map(|r| r.0.map_or("auto".into(), |n| n.to_string()))),
         (SettingItem::Live, switch(start.live, start.no_live, ["on", "off"])),
         (SettingItem::Tour, switch(start.tour, start.no_tour, ["due", "seen"])),
@@ -96,39 +109,4 @@ pub(crate) fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(SettingItem, St
     .into_iter()
     .filter_map(|(item, word)| Some((item, word?)))
     .collect()
-}
-
-/// Which colours to use.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ColorFlag {
-    /// What the terminal can show.
-    Auto,
-    /// The sixteen named colours at most.
-    #[value(name = "16")]
-    Sixteen,
-    /// No colour.
-    None,
-}
-
-/// Which signs to draw curves with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum GlyphFlag {
-    /// Braille dots, two by four a character.
-    Braille,
-    /// Block characters.
-    Block,
-    /// Plain ASCII.
-    Ascii,
-}
-
-fn length_unit() -> impl TypedValueParser<Value = LengthUnit> {
-    PossibleValuesParser::new([LengthUnit::Metre.symbol(), LengthUnit::Millimetre.symbol()]).map(
-        |word| {
-            if word == LengthUnit::Millimetre.symbol() {
-                LengthUnit::Millimetre
-            } else {
-                LengthUnit::Metre
-            }
-        },
-    )
 }

@@ -14,6 +14,7 @@
 
 pub(crate) mod case;
 pub(crate) mod check;
+mod choice;
 pub(crate) mod compare;
 pub(crate) mod dem;
 pub(crate) mod design;

@@ -95,16 +95,12 @@ impl Page {
                 Some(reached) => format!("at {}", self.length(reached)),
                 None => "beyond failure".to_string(),
             };
-            let allowable = match at.within_allowable {
-                Some(true) => ", within the allowable",
-                Some(false) => ", over the allowable",
-                None => "",
-            };
+            let allowed = at.allowed_text();
             let enough = if at.utilisation > 1.0 { "NOT ENOUGH" } else { "enough" };
             self.line(
                 "  at force",
                 format!(
-                    "{} factored to {}: use {} % ({enough}), {deflection}{allowable}",
+                    "{} factored to {}: use {} % ({enough}), {deflection}{allowed}",
                     force_text(force),
                     force_text(at.load),
                     percent(at.utilisation)

@@ -7,6 +7,7 @@ use super::scene::{Scene, Test};
 use super::stability::Eigenvalues;
 use crate::problem::Problem;
 use crate::units::shortest;
+use crate::words::Choice;
 use serde::{Deserialize, Serialize};
 
 /// How exactly the check computes.
@@ -24,13 +25,12 @@ pub enum Fidelity {
     Reference,
 }
 
-impl Fidelity {
-    /// All of them, the quickest first.
-    pub const ALL: [Fidelity; 4] =
-        [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine, Fidelity::Reference];
+impl Choice for Fidelity {
+    /// The quickest first.
+    const ALL: &'static [Fidelity] =
+        &[Fidelity::Quick, Fidelity::Standard, Fidelity::Fine, Fidelity::Reference];
 
-    /// The word by which people name it.
-    pub fn word(self) -> &'static str {
+    fn word(self) -> &'static str {
         match self {
             Fidelity::Quick => "quick",
             Fidelity::Standard => "standard",
@@ -38,6 +38,11 @@ impl Fidelity {
             Fidelity::Reference => "reference",
         }
     }
+}
+
+impl Fidelity {
+    /// Those that a person waits for; the reference is for comparing the others with it.
+    pub(crate) const USUAL: [Fidelity; 3] = [Fidelity::Quick, Fidelity::Standard, Fidelity::Fine];
 
     /// The largest error it aims at, as a part: of force and deflection at the first break, and of
     /// the curve over its largest force.

@@ -8,6 +8,7 @@ use crate::layout::Layout;
 use crate::mesh::wire::{Slack, WireData};
 use crate::problem::Problem;
 use crate::units::shortest;
+use crate::words::Choice;
 
 /// Which punch test is simulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -17,6 +18,17 @@ pub enum Test {
     Laboratory,
     /// Periodic cell held by anchor plates at its corners.
     Anchored,
+}
+
+impl Choice for Test {
+    const ALL: &'static [Test] = &[Test::Anchored, Test::Laboratory];
+
+    fn word(self) -> &'static str {
+        match self {
+            Test::Anchored => "anchored",
+            Test::Laboratory => "laboratory",
+        }
+    }
 }
 
 /// Alignment at which the standard laboratory panel has the punch at its centre, and the anchored

@@ -4,11 +4,13 @@ use super::ExportedLayout;
 use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
+use crate::study::remark::CheckRemark;
 use crate::study::result::make::fingerprint;
 use crate::study::result::places::Places;
 use crate::study::result::{CheckResult, Revisions};
 use crate::units::LengthUnit;
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
+use crate::words::Choice;
 
 /// Force between two limits over deflection; the three lists have the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -117,11 +119,8 @@ fn notes(
             v.breaks.len()
         ));
     }
-    if v.slipped > 0 {
-        notes.push(format!("the punch slipped through in {} of {} runs", v.slipped, v.runs));
-    }
     notes.push(quality(&v.quality));
-    notes.extend(v.remarks());
+    notes.extend(v.remarks().iter().map(CheckRemark::sentence));
     let runs = v.wanted.runs.map_or(String::new(), |n| format!(" --runs {n}"));
     let repeat = format!(
         "meshcast check {} {} --fidelity {}{runs} --seed {}",

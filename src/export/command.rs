@@ -4,6 +4,7 @@ use super::ExportedLayout;
 use crate::layout::BranchRule;
 use crate::mesh::catalogue;
 use crate::units::{from_kn, shortest, to_kn};
+use crate::words::Choice;
 
 /// The command that forecasts a layout from its project file.
 pub(crate) fn from_file(file_name: &str, case: &ExportedLayout) -> String {

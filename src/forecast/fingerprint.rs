@@ -4,6 +4,7 @@ use super::design::Question;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
+use crate::words::Choice;
 
 /// Fingerprint of all that decides a forecast: layout, branch rule, and of the mesh what the closed form
 /// uses. The design question is none of it: it asks something of a forecast and changes no number of it.

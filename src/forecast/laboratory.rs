@@ -2,7 +2,8 @@
 //! Pol & Gabrieli (2021), both ways. Holds for the standard punch of 1.0 m only.
 
 use super::Values;
-use crate::mesh::{LabRecord, STANDARD_PANEL, STANDARD_PUNCH};
+use crate::mesh::{LabRecord, STANDARD_PANEL};
+use crate::problem::Problem;
 
 /// Range of panel sides on which Eqs. 1-2 were fitted, m.
 pub(crate) const PANEL_RANGE: (f64, f64) = (2.0, 4.5);
@@ -35,19 +36,18 @@ pub fn from_panel(measured: Values, panel: f64) -> Values {
     }
 }
 
-/// The standard values F_l*, delta_l* of a laboratory record, or nothing when its punch is not the
-/// standard 1.0 m, for which the paper gives no relation.
+/// The standard values F_l*, delta_l* of a laboratory record.
 ///
 /// A record of the standard panel is returned untouched, to the last bit.
-pub(crate) fn standard_values(record: &LabRecord) -> Option<Values> {
-    let measured = Values { force: record.force, deflection: record.deflection };
-    if record.punch != STANDARD_PUNCH {
-        None
-    } else if record.panel == STANDARD_PANEL {
-        Some(measured)
-    } else {
-        Some(from_panel(measured, record.panel))
+///
+/// # Errors
+/// Its punch is not the standard 1.0 m, for which the paper gives no relation.
+pub(crate) fn standard_values(record: &LabRecord) -> Result<Values, Problem> {
+    if let Some(problem) = record.punch_problem() {
+        return Err(problem);
     }
+    let measured = Values { force: record.force, deflection: record.deflection };
+    Ok(if record.panel == STANDARD_PANEL { measured } else { from_panel(measured, record.panel) })
 }
 
 #[cfg(test)]
@@ -70,6 +70,15 @@ mod tests {
         assert!(
             (force_ratio(3.0) - 1.0).abs() < TINY && (deflection_ratio(3.0) - 1.0).abs() < TINY
         );
+    }
+
+    #[test]
+    fn a_test_with_another_punch_has_no_standard_values_and_says_why() {
+        let mut record = crate::mesh::catalogue::reference().laboratory.clone();
+        assert!(standard_values(&record).is_ok());
+        record.punch = 0.8;
+        let said = standard_values(&record).unwrap_err().to_string();
+        assert!(said.starts_with("laboratory.punch = 0.8 m: a test with another punch"), "{said}");
     }
 
     #[test]

@@ -165,9 +165,9 @@ pub fn forecast(
     rule: BranchRule,
 ) -> Result<Forecast, Vec<Problem>> {
     layout.check()?;
-    let Some(laboratory) = laboratory::standard_values(&mesh.laboratory) else {
-        return Err(mesh.check().err().unwrap_or_default());
-    };
+    // All that is wrong with the mesh, and never nothing.
+    let laboratory = laboratory::standard_values(&mesh.laboratory)
+        .map_err(|problem| mesh.check().err().unwrap_or_else(|| vec![problem]))?;
     let ratios = ratios::of_mesh(mesh);
     let reference = ratios::field_reference(laboratory, &ratios);
     let eccentricity = eccentricity::published().at(layout);

@@ -1,6 +1,7 @@
 //! What a forecast has to say about itself: published ranges left, values assumed, places where the
 //! method is weak. The number is still given; the warning says how far to trust it.
 
+use crate::remark::Weight;
 use crate::units::{LengthUnit, length_text, shortest, significant};
 
 /// A published range: symbol, words, limits, m.
@@ -42,28 +43,6 @@ impl PublishedRange {
     /// The range as text: `0.16 to 0.48 m`.
     pub(crate) fn text(&self) -> String {
         format!("{} to {} m", shortest(self.min), shortest(self.max))
-    }
-}
-
-/// How much a warning weighs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Weight {
-    /// Good to know; the number stands.
-    Note,
-    /// The number is extrapolated, uncertain or rests on an assumption.
-    Caution,
-    /// There is no number.
-    Outside,
-}
-
-impl Weight {
-    /// The word in output: `note`, `caution` or `outside`.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Weight::Note => "note",
-            Weight::Caution => "caution",
-            Weight::Outside => "outside",
-        }
     }
 }
 
@@ -184,8 +163,8 @@ impl Warning {
         }
     }
 
-    /// The whole sentence for people.
-    pub fn message(&self) -> String {
+    /// The whole sentence for people, without a final stop.
+    pub fn sentence(&self) -> String {
         let m = |v: f64| length_text(v, LengthUnit::Metre);
         let kn = |v: f64| significant(v / 1000.0, 3);
         match self {

@@ -11,6 +11,7 @@ use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
 use crate::study::clock::thread_seconds;
+use crate::words::Choice;
 use serde::Serialize;
 
 /// The bench scenes by name.

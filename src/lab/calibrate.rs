@@ -132,7 +132,7 @@ pub fn fit(
         }
         let spec = scene(target, wire);
         let laboratory = ensemble::run(&spec, &controls, &plan, &|now| progress(trial, now))?;
-        if laboratory.warnings.iter().any(|w| w == "cancelled") {
+        if laboratory.partial() {
             return Ok(None);
         }
         let (force, deflection) = (laboratory.force.mean, laboratory.deflection.mean);

@@ -199,7 +199,7 @@ fn scene(
     let mut plan = Plan { runs: None, seed: options.seed, phase: None, threads: options.threads };
     loop {
         let ensemble = ensemble::run(&spec, &controls, &plan, tell)?;
-        if ensemble.warnings.iter().any(|w| w == "cancelled") {
+        if ensemble.partial() {
             return Ok(None);
         }
         let part = ensemble.force.error / (ensemble.force.mean * ERROR_AIM);

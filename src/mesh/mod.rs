@@ -123,6 +123,18 @@ pub(crate) const LARGEST_DEFLECTION: f64 = 10.0;
 /// Largest laboratory panel taken as sensible, m.
 const LARGEST_PANEL: f64 = 20.0;
 
+impl LabRecord {
+    /// What is wrong with its punch, if it is not the standard one.
+    pub(crate) fn punch_problem(&self) -> Option<Problem> {
+        (self.punch != STANDARD_PUNCH).then(|| {
+            Problem::new("laboratory.punch", "a test with another punch cannot be converted")
+                .value(format!("{} m", shortest(self.punch)))
+                .allowed("1.0 m only")
+                .advice("the published relations convert the panel size, not the punch")
+        })
+    }
+}
+
 impl MeshType {
     /// The name for people, or the identifier where there is none.
     pub(crate) fn title(&self) -> &str {
@@ -179,14 +191,7 @@ impl MeshType {
                 "above 0, up to 10",
             );
         }
-        if lab.punch != STANDARD_PUNCH {
-            problems.push(
-                Problem::new("laboratory.punch", "a test with another punch cannot be converted")
-                    .value(m(lab.punch))
-                    .allowed("1.0 m only")
-                    .advice("the published relations convert the panel size, not the punch"),
-            );
-        }
+        problems.extend(lab.punch_problem());
         if let Some(wire) = &self.wire
             && let Err(found) = wire.check()
         {

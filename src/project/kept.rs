@@ -10,6 +10,7 @@ use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
+use crate::study::remark::CheckFlag;
 use crate::study::result::{CheckResult, FirstBreak, Later, Revisions, Wanted, mean, rounded};
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
@@ -150,7 +151,7 @@ impl Kept {
                 q.error_estimate,
             ]
             .map(rounded),
-            warnings: v.warnings.clone(),
+            warnings: v.flags.iter().map(|flag| flag.code().to_string()).collect(),
             arrangement: v.later.arrangement.clone(),
             strata: v.later.strata.clone(),
             fractiles: v.later.fractiles.clone(),
@@ -252,7 +253,7 @@ impl Kept {
                 shaking,
                 error_estimate: error,
             },
-            warnings: k.warnings,
+            flags: k.warnings.iter().map(|code| CheckFlag::from_code(code)).collect(),
             later: Later { arrangement: k.arrangement, strata: k.strata, fractiles: k.fractiles },
         }
     }

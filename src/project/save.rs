@@ -5,7 +5,7 @@ use super::load;
 use super::patch::Rendered;
 use super::schema::Project;
 use super::write::Unwritable;
-use crate::problem::Problem;
+use crate::problem::{Problem, summary};
 use atomic_write_file::OpenOptions;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
@@ -52,7 +52,7 @@ pub enum SaveError {
     #[error("{} is no ordinary file; save under another name", .0.display())]
     NotAFile(PathBuf),
     /// The project itself is wrong.
-    #[error("the project cannot be saved: {}", list(.0))]
+    #[error("the project cannot be saved: {}", summary(.0))]
     Unsound(Vec<Problem>),
     /// No file can hold a part of the project.
     #[error("the project cannot be saved: {0}")]
@@ -65,14 +65,6 @@ pub enum SaveError {
         /// What the system said.
         error: io::Error,
     },
-}
-
-fn list(problems: &[Problem]) -> String {
-    let first = problems.first().map(Problem::to_string).unwrap_or_default();
-    match problems.len() {
-        0 | 1 => first,
-        n => format!("{first} (and {} more)", n - 1),
-    }
 }
 
 fn explain(error: &io::Error) -> String {

@@ -8,6 +8,7 @@ use crate::case::Input;
 use crate::case::input::Missing;
 use crate::layout::BranchRule;
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
+use crate::words::Choice;
 use std::fmt::Write;
 
 /// Something that no file can hold.

@@ -16,6 +16,7 @@ use crate::study::compare::CompareRow;
 use crate::study::result::CheckResult;
 use crate::study::sensitivity::Change;
 use crate::units::{to_kj, to_kn};
+use crate::words::Choice;
 
 /// What a case gives.
 #[derive(Debug, Clone, Copy)]
@@ -53,9 +54,9 @@ impl<'a> From<&'a CompareRow> for PointRow<'a> {
         let values = row.values();
         PointRow {
             values: values.as_ref().ok().copied(),
-            answer: row.answer,
+            answer: row.answer(),
             missing: values.err().map(|why| why.code()),
-            warnings: row.forecast.as_ref().map_or(&[], |f| &f.warnings),
+            warnings: row.forecast().map_or(&[], |f| &f.warnings),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sets of signs that curves, rules and bars are drawn with.
 
-use std::fmt;
+use crate::words::Choice;
 
 /// Which characters draw curves and frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -48,12 +48,14 @@ impl Glyphs {
     }
 }
 
-impl fmt::Display for Glyphs {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Choice for Glyphs {
+    const ALL: &'static [Glyphs] = &[Glyphs::Braille, Glyphs::Block, Glyphs::Ascii];
+
+    fn word(self) -> &'static str {
+        match self {
             Glyphs::Braille => "braille",
             Glyphs::Block => "block",
             Glyphs::Ascii => "ascii",
-        })
+        }
     }
 }

@@ -15,6 +15,7 @@ use crate::layout::Layout;
 use crate::study::checks::figures::Figures;
 use crate::study::result::CheckResult;
 use crate::units::{to_kj, to_kn};
+use crate::words::Choice;
 
 /// A layout with what follows from it.
 pub(crate) struct LayoutRow<'a> {

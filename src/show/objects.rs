@@ -9,10 +9,12 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
+use crate::remark::Weight;
 use crate::study::checks::change::CheckChange;
 use crate::study::result::{CheckResult, Wanted};
 use crate::study::sensitivity::Change;
 use crate::units::{to_kj, to_kn};
+use crate::words::Choice;
 
 /// How the result of a layout begins: its name, in the list of a project, what made it, its inputs.
 pub(crate) fn head(name: Option<&str>, fingerprint: Fingerprint, inputs: Object) -> Object {
@@ -61,13 +63,16 @@ pub(crate) fn ends(ends: Option<[f64; 2]>) -> Value {
 
 /// Warnings of a forecast.
 pub(crate) fn warnings(warnings: &[Warning]) -> Value {
-    let object = |w: &Warning| remark(w.code(), w.weight().word(), w.message());
+    let object = |w: &Warning| remark(w.code(), w.weight(), w.sentence());
     warnings.iter().map(object).collect()
 }
 
 /// A remark: a stable code, how much it weighs, a sentence.
-pub(crate) fn remark(code: &'static str, weight: &'static str, sentence: String) -> Object {
-    Object::new().with("code", code).with("weight", weight).with("message", sentence)
+pub(crate) fn remark(code: &str, weight: Weight, sentence: String) -> Object {
+    Object::new()
+        .with("code", code.to_string())
+        .with("weight", weight.word())
+        .with("message", sentence)
 }
 
 /// The answer to a design question, with the factors that act.
@@ -79,7 +84,7 @@ pub(crate) fn design(answer: &Answer, question: &Question) -> Object {
             .with("utilisation", at.utilisation)
             .with("margin_kN", kn(at.margin))
             .with("delta_m", at.deflection)
-            .with("within_allowable", at.within_allowable)
+            .with("within_allowable", at.within_allowable())
     });
     let at_deflection = answer.at_deflection.zip(question.deflection).map(|(at, deflection)| {
         Object::new()
@@ -131,7 +136,7 @@ pub(crate) fn check(row: &CheckRow, change: Option<Option<&CheckChange>>) -> Obj
     Object::new()
         .with("check", row.result.map(|result| made(row, result, change)))
         .with("check_missing", row.missing.map(|why| why.code()))
-        .with("check_reason", row.missing.map(|why| why.reason()))
+        .with("check_reason", row.missing.map(|why| why.sentence()))
 }
 
 fn made(row: &CheckRow, result: &CheckResult, change: Option<Option<&CheckChange>>) -> Object {
@@ -157,7 +162,10 @@ fn made(row: &CheckRow, result: &CheckResult, change: Option<Option<&CheckChange
         .with("difference_pct", difference)
         .maybe("change", change.map(|change| Value::from(change.map(check_change))))
         .with("fingerprint", result.inputs.to_string())
-        .with("warnings", result.warnings.iter().cloned().map(Value::from).collect::<Value>())
+        .with(
+            "warnings",
+            result.flags.iter().map(|flag| Value::from(flag.code().to_string())).collect::<Value>(),
+        )
 }
 
 fn check_change(c: &CheckChange) -> Object {

@@ -1,11 +1,13 @@
 //! Comparison: the layouts of a project side by side, sorted by any column, and the one that governs.
 
-use crate::case::{Case, NoValue};
+use crate::case::{Case, Derived, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::forecast::design::{Answer, answer};
-use crate::forecast::warning::Weight;
+use crate::forecast::design::{Answer, AtForce, Limit};
 use crate::forecast::{Forecast, Values};
 use crate::problem::Problem;
+use crate::remark::Weight;
+use crate::units::percent;
+use crate::words::Choice;
 use std::cmp::Ordering;
 
 /// One layout of the comparison.
@@ -15,37 +17,55 @@ pub struct CompareRow {
     pub name: String,
     /// What is forecast.
     pub case: Case,
-    /// Its forecast, or what is wrong with its inputs.
-    pub forecast: Result<Forecast, Vec<Problem>>,
-    /// The answer to its design question; missing without a field value.
-    pub answer: Option<Answer>,
+    /// What follows from it, or what is wrong with its inputs.
+    pub derived: Result<Derived, Vec<Problem>>,
 }
 
 impl CompareRow {
     /// F_a and delta_a, or why there are none.
     pub(crate) fn values(&self) -> Result<Values, NoValue> {
-        match &self.forecast {
-            Ok(f) => f.field.map(|field| field.values).ok_or(NoValue::PunchOnPlate),
+        match &self.derived {
+            Ok(d) => d.forecast.field.map(|field| field.values).ok_or(NoValue::PunchOnPlate),
             Err(problems) => Err(NoValue::Senseless(problems.clone())),
         }
     }
 
+    /// Its forecast, if its inputs make sense.
+    pub(crate) fn forecast(&self) -> Option<&Forecast> {
+        self.derived.as_ref().ok().map(|derived| &derived.forecast)
+    }
+
+    /// The answer to its design question; missing without a field value.
+    pub(crate) fn answer(&self) -> Option<Answer> {
+        self.derived.as_ref().ok().and_then(|derived| derived.answer)
+    }
+
+    /// What its design force needs, where one is set.
+    pub(crate) fn at_force(&self) -> Option<AtForce> {
+        self.answer()?.at_force
+    }
+
     /// Utilisation, where a design force is set.
     pub(crate) fn utilisation(&self) -> Option<f64> {
-        self.answer?.at_force.map(|at| at.utilisation)
+        self.at_force().map(|at| at.utilisation)
+    }
+
+    /// Whether it holds its load but gives way too far.
+    pub(crate) fn over_allowed(&self) -> bool {
+        self.at_force().is_some_and(|at| at.over_allowed())
     }
 
     /// The heaviest of its warnings; inputs that make no sense are outside.
     pub(crate) fn weight(&self) -> Option<Weight> {
-        match &self.forecast {
-            Ok(f) => f.warnings.iter().map(|w| w.weight()).max(),
-            Err(_) => Some(Weight::Outside),
+        match self.forecast() {
+            Some(f) => f.warnings.iter().map(|w| w.weight()).max(),
+            None => Some(Weight::Outside),
         }
     }
 
     /// What stands in a column; nothing where it has no value.
     fn number(&self, column: Column) -> Option<f64> {
-        let (layout, forecast) = (&self.case.layout, self.forecast.as_ref().ok());
+        let (layout, forecast) = (&self.case.layout, self.forecast());
         let values = || forecast?.field.map(|field| field.values);
         match column {
             Column::Name | Column::Mesh => None,
@@ -59,7 +79,7 @@ impl CompareRow {
             Column::ForceRatio => forecast?.force_over_lab(),
             Column::DeflectionRatio => forecast?.deflection_over_lab(),
             Column::Utilisation => self.utilisation(),
-            Column::DesignDeflection => self.answer?.at_force?.deflection,
+            Column::DesignDeflection => self.at_force()?.deflection,
             Column::Warnings => self.weight().map(|w| f64::from(w as u8)),
         }
     }
@@ -98,9 +118,9 @@ pub enum Column {
     Warnings,
 }
 
-impl Column {
-    /// All of them, in the order of the table.
-    pub(crate) const ALL: [Column; 14] = [
+impl Choice for Column {
+    /// In the order of the table.
+    const ALL: &'static [Column] = &[
         Column::Name,
         Column::Mesh,
         Column::Plate,
@@ -117,8 +137,7 @@ impl Column {
         Column::Warnings,
     ];
 
-    /// The word by which it is named in commands.
-    pub(crate) fn word(self) -> &'static str {
+    fn word(self) -> &'static str {
         match self {
             Column::Name => "layout",
             Column::Mesh => "mesh",
@@ -143,9 +162,22 @@ impl Column {
 pub struct Governing {
     /// Its place among the rows.
     pub(crate) row: usize,
-    /// Its utilisation, the highest; nothing where no layout has a design force, and then its force is
-    /// the lowest.
-    pub(crate) utilisation: Option<f64>,
+    /// The highest use, of force or deflection; nothing where no layout has a design force, and then
+    /// its force is the lowest.
+    pub(crate) used: Option<(f64, Limit)>,
+}
+
+impl Governing {
+    /// By what it governs, where there is a use.
+    pub(crate) fn text(&self) -> Option<String> {
+        self.used.map(|(used, limit)| {
+            let of = match limit {
+                Limit::Force => "",
+                Limit::Deflection => " of the allowed deflection",
+            };
+            format!("the highest use, {} %{of}", percent(used))
+        })
+    }
 }
 
 /// The layouts of a project side by side.
@@ -161,30 +193,26 @@ pub struct Comparison {
 pub(crate) fn compare(cases: impl IntoIterator<Item = (String, Case)>) -> Comparison {
     let rows: Vec<CompareRow> = cases
         .into_iter()
-        .map(|(name, case)| {
-            let forecast = case.forecast();
-            let field = forecast.as_ref().ok().and_then(|f| f.field);
-            CompareRow { answer: field.map(|f| answer(&f, &case.question)), name, case, forecast }
-        })
+        .map(|(name, case)| CompareRow { derived: case.derive(), name, case })
         .collect();
     let governing = governing(&rows);
     Comparison { rows, governing }
 }
 
-/// The highest utilisation, or where no layout has one the lowest force; the first of equals.
+/// The highest use of force or deflection, or where no layout has one the lowest force; the first of
+/// equals.
 fn governing(rows: &[CompareRow]) -> Option<Governing> {
-    let numbers = |column: Column| {
-        rows.iter().enumerate().filter_map(move |(row, r)| r.number(column).map(|v| (row, v)))
+    let uses =
+        rows.iter().enumerate().filter_map(|(row, r)| Some((row, r.at_force()?.largest_use())));
+    let lower = |a: &(usize, (f64, Limit)), b: &(usize, (f64, Limit))| {
+        a.1.0.total_cmp(&b.1.0).then(b.0.cmp(&a.0))
     };
-    let lower = |a: &(usize, f64), b: &(usize, f64)| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0));
-    let most_used = numbers(Column::Utilisation).max_by(lower);
-    match most_used {
-        Some((row, utilisation)) => Some(Governing { row, utilisation: Some(utilisation) }),
-        None => {
-            let weakest = numbers(Column::Force).min_by(|a, b| a.1.total_cmp(&b.1));
-            weakest.map(|(row, _)| Governing { row, utilisation: None })
-        }
+    if let Some((row, used)) = uses.max_by(lower) {
+        return Some(Governing { row, used: Some(used) });
     }
+    let forces = rows.iter().enumerate().filter_map(|(row, r)| Some((row, r.values().ok()?.force)));
+    let weakest = forces.min_by(|a, b| a.1.total_cmp(&b.1));
+    weakest.map(|(row, _)| Governing { row, used: None })
 }
 
 impl Comparison {
@@ -238,13 +266,26 @@ mod tests {
     fn the_highest_utilisation_governs_or_else_the_lowest_force() {
         // F_a: 27.063 kN, and 27.063 x (0.32/3 + 0.84) = 25.62 kN.
         let c = three([None; 3]);
-        assert_eq!(c.governing, Some(Governing { row: 1, utilisation: None }));
+        assert_eq!(c.governing, Some(Governing { row: 1, used: None }));
         let c = three([Some(13_531.5), None, Some(90_000.0)]);
         let g = c.governing.unwrap();
         assert_eq!(g.row, 0, "one design force is enough, and none without a value counts");
-        assert!((g.utilisation.unwrap() - 0.5).abs() < 1e-12);
+        assert!((g.used.unwrap().0 - 0.5).abs() < 1e-12);
         assert_eq!(compare([]).governing, None);
         assert_ne!(three([None; 3]).fingerprint(), c.fingerprint());
+    }
+
+    #[test]
+    fn a_layout_over_the_allowed_deflection_governs_one_that_is_used_more_by_force() {
+        let mut cases = [case(REFERENCE, Some(20_000.0)), case(REFERENCE, Some(13_531.5))];
+        // Half of F_a is reached well beyond 0.2 m, and before failure at 0.635 m.
+        cases[1].question.deflection = Some(0.2);
+        let c = compare(["strong", "soft"].map(String::from).into_iter().zip(cases));
+        assert!(c.rows[0].utilisation() > c.rows[1].utilisation());
+        let g = c.governing.unwrap();
+        assert_eq!((g.row, g.used.map(|used| used.1)), (1, Some(Limit::Deflection)));
+        assert!(g.text().is_some_and(|text| text.ends_with("of the allowed deflection")));
+        assert_eq!(c.rows.iter().map(CompareRow::over_allowed).collect::<Vec<_>>(), [false, true]);
     }
 
     #[test]
@@ -256,7 +297,7 @@ mod tests {
         assert_eq!(c.sorted(Column::Utilisation, true), [0, 1, 2]);
         assert_eq!(c.sorted(Column::Warnings, true)[0], 2, "outside weighs most");
         for column in Column::ALL {
-            assert_eq!(c.sorted(column, false).len(), 3, "{}", column.word());
+            assert_eq!(c.sorted(*column, false).len(), 3, "{}", column.word());
         }
     }
 }

@@ -6,9 +6,11 @@
 //! what an engineer should see.
 
 use super::clock;
+pub(crate) use super::remark::TARGET;
+use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::dem::bifurcation;
 use crate::dem::hash::{hash, uniform};
-use crate::dem::{Controls, Flow, RunOutcome, RunProgress, SceneSpec, Stop, check};
+use crate::dem::{Controls, Fidelity, Flow, RunOutcome, RunProgress, SceneSpec, Stop, check};
 use crate::problem::Problem;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -23,8 +25,6 @@ pub(crate) const REVISION: u32 = 1;
 pub(crate) const LEAST: usize = 8;
 /// Runs made at most.
 pub(crate) const MOST: usize = 64;
-/// Standard error of the force, over its mean, at which no more runs are made.
-pub(crate) const TARGET: f64 = 0.02;
 
 /// How an ensemble is made.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +74,19 @@ pub struct Spread {
     pub band: [f64; 2],
 }
 
+impl Ensemble {
+    /// Whether it was ended before all its runs were made.
+    pub(crate) fn partial(&self) -> bool {
+        self.flags.contains(&CheckFlag::Cancelled)
+    }
+}
+
 impl Spread {
+    /// Standard error of the mean, over it.
+    pub(crate) fn uncertainty(&self) -> f64 {
+        self.error / self.mean.max(f64::MIN_POSITIVE)
+    }
+
     /// Of `values`; the band of `banded`, which may hold more.
     pub(crate) fn of(values: &[f64], banded: &[f64]) -> Spread {
         let n = values.len() as f64;
@@ -122,8 +134,8 @@ pub struct Ensemble {
     pub(crate) k75: f64,
     /// How many runs slipped.
     pub(crate) slipped: usize,
-    /// Warnings by their name: `bifurcation`, `diverged`, `cancelled`.
-    pub(crate) warnings: Vec<String>,
+    /// What it tells of itself.
+    pub(crate) flags: Vec<CheckFlag>,
     /// The two places of the bifurcation probe, N, where it was made.
     pub(crate) probe: Option<bifurcation::Probe>,
 }
@@ -256,11 +268,11 @@ pub(crate) fn run_watched(
             &mut |inner| progress(EnsembleProgress { done: count, planned: count, run: 0, inner });
         ensemble.probe = bifurcation::probe(&spec, controls, steps)?;
         if ensemble.probe.is_some_and(|p| p.bifurcation()) {
-            ensemble.warnings.push("bifurcation".into());
+            ensemble.flags.push(CheckFlag::Bifurcation);
         }
     }
     if cancelled.load(Ordering::Relaxed) {
-        ensemble.warnings.push("cancelled".into());
+        ensemble.flags.push(CheckFlag::Cancelled);
     }
     Ok(ensemble)
 }
@@ -303,7 +315,7 @@ fn enough(runs: &[Option<Run>]) -> Option<usize> {
 
 /// The figures of some runs.
 pub(crate) fn summary(runs: Vec<Run>) -> Ensemble {
-    let mut warnings = Vec::new();
+    let mut flags = Vec::new();
     // A cancelled run's numbers are those of an unfinished test: kept, and not counted.
     let counted: Vec<&RunOutcome> = runs
         .iter()
@@ -312,7 +324,7 @@ pub(crate) fn summary(runs: Vec<Run>) -> Ensemble {
         .filter(|o| o.stop != Stop::Diverged)
         .collect();
     if runs.iter().any(|run| run.outcome.stop == Stop::Diverged) {
-        warnings.push("diverged".to_string());
+        flags.push(CheckFlag::Diverged);
     }
     let breaks: Vec<_> = counted.iter().filter_map(|o| o.first_break).collect();
     let banded: Vec<_> = counted.iter().map(|o| o.first_break.unwrap_or(o.peak)).collect();
@@ -329,9 +341,39 @@ pub(crate) fn summary(runs: Vec<Run>) -> Ensemble {
         ],
         k75: mean(counted.iter().map(|o| o.k75).filter(|k| *k > 0.0).collect()),
         slipped: counted.iter().filter(|o| o.stop == Stop::Slipped).count(),
-        warnings,
+        flags,
         probe: None,
         runs,
+    }
+}
+
+/// Whether a run counts: it came to an end of its own, or at least to its first break.
+pub(crate) fn counts(run: &Run) -> bool {
+    let outcome = &run.outcome;
+    outcome.stop != Stop::Diverged
+        && !(outcome.stop == Stop::Cancelled && outcome.first_break.is_none())
+}
+
+impl Ensemble {
+    /// The remarks on it; `aligned` says whether its runs were given one alignment.
+    pub(crate) fn remarks(&self, fidelity: Fidelity, aligned: bool) -> Vec<CheckRemark> {
+        let counted: Vec<_> = self.runs.iter().filter(|run| counts(run)).collect();
+        let broken = counted.iter().filter(|run| run.outcome.first_break.is_some()).count();
+        let diverged = self.runs.iter().filter(|r| r.outcome.stop == Stop::Diverged).count();
+        let errors = self.runs.iter().map(|run| run.outcome.quality.error_estimate);
+        let facts = Facts {
+            flags: &self.flags,
+            probe: self.probe,
+            diverged: Some(diverged),
+            runs: counted.len(),
+            broken,
+            slipped: self.slipped,
+            aligned,
+            force_error: self.force.uncertainty(),
+            error_estimate: errors.fold(0.0, f64::max),
+            fidelity,
+        };
+        facts.remarks()
     }
 }
 

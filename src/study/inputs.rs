@@ -4,6 +4,7 @@ use super::ensemble::Plan;
 use crate::dem::{Controls, SceneSpec, Test};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::mesh::wire::{CurvePoint, Slack};
+use crate::words::Choice;
 
 /// Fingerprint of all that decides an ensemble's numbers: scene, controls and plan. The number of
 /// threads and the instruction set decide nothing; where wires come from does neither. Files of users

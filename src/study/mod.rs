@@ -11,6 +11,7 @@
 //! - [`clock`]: processor time and time on the wall.
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
 //!   the fingerprint of what one was made from.
+//! - [`remark`]: what a check has to say of itself.
 //! - [`result`]: what a check leaves behind, and how one is made of a layout.
 //! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
 //!   comparison.
@@ -20,6 +21,7 @@ pub mod clock;
 pub(crate) mod compare;
 pub(crate) mod ensemble;
 pub(crate) mod inputs;
+pub mod remark;
 pub mod result;
 pub mod sensitivity;
 pub mod solve;

@@ -4,9 +4,12 @@ use super::check;
 use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::forecast::warning::{Warning, Weight};
+use crate::case::NO_FIELD_VALUE;
+use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast};
+use crate::remark::Weight;
 use crate::units::{force_text, length_text, significant, to_kn};
+use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -22,6 +25,9 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     }
 }
 
+/// Columns that the answer has at least.
+const NARROWEST: usize = 28;
+
 /// The lines of the answer with their styles, at most `rows`.
 pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     let forecast = match &app.result().derived {
@@ -32,13 +38,10 @@ pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     };
     let (mut first, rest) = match &forecast.field {
         Some(field) => field_lines(app, forecast, field, theme),
-        None => (
-            vec![
-                ("no field value".to_string(), theme.caution),
-                ("outside the method".to_string(), theme.text),
-            ],
-            Vec::new(),
-        ),
+        None => {
+            let lines = textwrap::wrap(NO_FIELD_VALUE, NARROWEST);
+            (lines.iter().map(|line| (line.to_string(), theme.caution)).collect(), Vec::new())
+        }
     };
     // Where rows are few, what to distrust comes before how it was found.
     if rows > first.len() + rest.len() {
@@ -92,14 +95,19 @@ fn design_lines(app: &App, theme: &Theme) -> Lines {
     if let Some(a) = design.at_force {
         let load = significant(to_kn(a.load), 3);
         let percent = format!("{:.0} %", a.utilisation * 100.0);
-        let style = if a.utilisation > 1.0 { theme.error } else { theme.text };
-        let text = match a.deflection {
-            Some(deflection) if a.utilisation <= 1.0 => {
+        let style = if a.trouble().is_some() { theme.error } else { theme.text };
+        let text = match (a.deflection, a.trouble()) {
+            (Some(deflection), _) if a.utilisation <= 1.0 => {
                 format!("at {load} kN: {}  use {percent}", m(deflection))
             }
-            _ => format!("NOT ENOUGH: use {percent} at {load}"),
+            (_, trouble) => format!("{}: use {percent} at {load}", trouble.unwrap_or_default()),
         };
         lines.push((text, style));
+        if let (true, Some(trouble), Some(allowed)) =
+            (a.over_allowed(), a.trouble(), layout.question.deflection)
+        {
+            lines.push((format!("{trouble} {}", m(allowed)), style));
+        }
     }
     if let Some(a) = design.at_deflection {
         let allowed = layout.question.deflection.map_or(String::new(), m);

@@ -7,6 +7,7 @@ use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::LayoutResult;
 use crate::axis::Axis;
+use crate::case::NoValue;
 use crate::curve::Point;
 use crate::forecast::{Values, rescaled};
 use crate::show::grid::{DotGrid, DotPen, Pattern};
@@ -73,7 +74,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         None => {
             let row = chart.plot.size().1 / 2;
-            chart.plot.text(row, 1, "no field value: punch on a plate", Ink::Caution);
+            let why = NoValue::PunchOnPlate.short();
+            chart.plot.text(row, 1, &format!("no value: {why}"), Ink::Caution);
         }
     }
     text::draw(&chart.plot.picture, area, buf, theme);

@@ -7,10 +7,13 @@ use crate::app::App;
 use crate::app::checks::{ShownCheck, Standing};
 use crate::curve::{Curve, Point};
 use crate::job::pace::duration;
+use crate::remark::Weight;
 use crate::show::grid::{DotGrid, DotPen, Pattern};
 use crate::show::picture::Ink;
+use crate::study::remark::CheckRemark;
 use crate::study::result::places::Places;
 use crate::units::{force_text, length_text, significant, to_kn};
+use crate::words::Choice;
 use ratatui::style::Style;
 
 /// The sign of the mean first break on the chart.
@@ -28,12 +31,12 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     let result = shown.result;
     let style = if shown.stale() { theme.caution } else { theme.check };
     let mut lines = vec![(figures(app, &shown), style)];
-    if result.bifurcation() {
-        lines.push(("! a millimetre decides: band only".into(), theme.caution));
-    }
-    if result.diverged() {
-        lines.push(("! some runs ran away: see i".into(), theme.caution));
-    }
+    let (first, later): (Vec<_>, Vec<_>) = result
+        .remarks()
+        .into_iter()
+        .filter(said_here)
+        .partition(|r| matches!(r, CheckRemark::Bifurcation(_) | CheckRemark::Diverged(_)));
+    lines.extend(first.iter().map(|r| (format!("! {}", r.short()), theme.caution)));
     let runs = match shown.standing {
         Standing::Live(true) => format!("{} of {}", result.runs, crate::app::checks::LIVE_RUNS),
         _ => result.runs.to_string(),
@@ -42,17 +45,25 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     let difference = difference(app, &shown).map_or(String::new(), |(force, deflection)| {
         format!("F {force:+.0} %, delta {deflection:+.0} %; ")
     });
-    let cut = if result.partial() { ", ended early" } else { "" };
+    let cut = if result.partial() {
+        format!(", {}", CheckRemark::Cancelled(None).short())
+    } else {
+        String::new()
+    };
     lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
-    if result.slipped > 0 {
-        let text = format!(" slipped through: {} of {}", result.slipped, result.runs);
-        lines.push((text, theme.caution));
-    }
+    lines.extend(later.iter().map(|r| (format!(" {}", r.short()), theme.caution)));
     let places = Places::of(result, &app.layout().layout).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));
     }
     lines
+}
+
+/// Whether a remark has a line of its own: that it was ended early stands with its runs, and how well the
+/// mean is known beside it.
+fn said_here(remark: &CheckRemark) -> bool {
+    let elsewhere = matches!(remark, CheckRemark::Cancelled(_) | CheckRemark::StandardError(_));
+    remark.weight() > Weight::Note && !elsewhere
 }
 
 /// How far the check can be trusted, where there is room for it.

@@ -5,7 +5,7 @@ use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::LayoutResult;
-use crate::forecast::warning::Weight;
+use crate::remark::Weight;
 use crate::units::{significant, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -8,18 +8,19 @@ use source::{SourceFile, files};
 
 /// Rooms on the ground, which everyone may use.
 const GROUND: &[&str] =
-    &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "units", "words"];
+    &["axis", "curve", "fingerprint", "layout", "mesh", "problem", "remark", "units", "words"];
 
 /// Rooms from the ground up, each with the rooms it may use. A room that does not exist yet is no
 /// fault; a room that is missing here is one, because somebody has to say what it may use.
 const ROOMS: &[(&str, &[&[&str]])] = &[
-    ("units", &[]),
+    ("units", &[&["words"]]),
     ("problem", &[]),
     ("fingerprint", &[]),
     ("curve", &[]),
     ("axis", &[]),
     ("words", &[]),
-    ("layout", &[&["problem", "units"]]),
+    ("remark", &[]),
+    ("layout", &[&["problem", "units", "words"]]),
     ("mesh", &[&["problem", "units"]]),
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),

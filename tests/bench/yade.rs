@@ -9,6 +9,7 @@ use meshcast::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, SceneSpec
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
 use meshcast::study::clock::thread_seconds;
+use meshcast::words::Choice;
 
 /// A published run.
 struct Published {
@@ -77,8 +78,9 @@ fn main() {
             seed: 0,
         };
         for fidelity in Fidelity::ALL {
-            let controls = Controls { fidelity, after_break: 0.0, ..Controls::default() };
-            let times = if fidelity == Fidelity::Reference { 1 } else { 5 };
+            let controls =
+                Controls { fidelity: *fidelity, after_break: 0.0, ..Controls::default() };
+            let times = if *fidelity == Fidelity::Reference { 1 } else { 5 };
             let (ours, seconds) = timed(&spec, &controls, times);
             let Some(first) = ours.first_break else {
                 println!("{:<36} {:<10} no wire broke", run.name, fidelity.word());

@@ -101,7 +101,7 @@ fn the_text_says_what_an_engineer_asks_for() {
     let outside = good(&["forecast", "-L", "6"]);
     assert!(outside.contains("(extrapolated)") && outside.contains("1.25 to 4.5 m"), "{outside}");
     let on_plate = good(&["forecast", "--ex", "1.5", "--ey", "1.5"]);
-    assert!(on_plate.contains("no value") && on_plate.contains("F_l* 73.3 kN"), "{on_plate}");
+    assert!(on_plate.contains("no field value") && on_plate.contains("F_l* 73.3 kN"), "{on_plate}");
     let near = good(&["forecast", "-D", "0.33"]);
     assert!(near.contains("the other gives"), "{near}");
 }

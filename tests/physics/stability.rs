@@ -13,6 +13,7 @@ use meshcast::dem::stepper::Stepper;
 use meshcast::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check};
 use meshcast::layout::Layout;
 use meshcast::mesh::laws;
+use meshcast::words::Choice;
 
 /// Scene number `k` of an endless row of random ones: layouts in and around the published ranges,
 /// both tests, four laws, any alignment.
@@ -168,7 +169,7 @@ fn a_step_beyond_the_bound_computed_for_the_scene_is_refused_with_that_bound() {
         let scene = Scene::new(&spec(Test::Anchored, 1.6, wire)).unwrap();
         for fidelity in Fidelity::ALL {
             let with = |step_factor: f64| {
-                let controls = Controls { fidelity, step_factor, ..Controls::default() };
+                let controls = Controls { fidelity: *fidelity, step_factor, ..Controls::default() };
                 controls.scheme(&scene)
             };
             let own = with(1.0).unwrap();

@@ -7,6 +7,7 @@ use crate::dem::outcome::Quality;
 use crate::study::result::places::Places;
 use crate::study::result::{CheckResult, Revisions};
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
+use crate::words::Choice;
 
 /// All there is to know of the check shown.
 pub(super) fn section(page: &mut TextPage, app: &App) {
@@ -66,9 +67,6 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     if !v.breaks.is_empty() && !shown.stale() {
         page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
     }
-    if v.slipped > 0 {
-        page.row("slipped through", &format!("{} of {} runs", v.slipped, v.runs));
-    }
     quality(page, &v.quality);
     remarks(page, v);
     page.row("inputs", &format!("{} (fingerprint)", v.inputs));
@@ -84,9 +82,6 @@ fn quality(page: &mut TextPage, q: &Quality) {
 
 fn remarks(page: &mut TextPage, v: &CheckResult) {
     for remark in v.remarks() {
-        page.text(&format!("  ! {remark}"), 4);
-    }
-    if v.force.error > 0.02 * v.force.mean && !v.partial() {
-        page.text("  ! the mean is not known to 2 %; more runs would tell (:runs auto)", 4);
+        page.text(&format!("  ! {}", remark.sentence()), 4);
     }
 }

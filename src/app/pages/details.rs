@@ -6,6 +6,7 @@ use crate::app::App;
 use crate::case::Derived;
 use crate::forecast::{Field, Forecast};
 use crate::units::{LengthUnit, force_text, length_text, shortest, significant, to_kn};
+use crate::words::Choice;
 
 /// All there is to know of the selected layout.
 pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
@@ -27,7 +28,7 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
                 page.text("  none: all inputs are inside the published ranges", 2);
             }
             for w in &forecast.warnings {
-                page.text(&format!("  ! {}", w.message()), 4);
+                page.text(&format!("  ! {}", w.sentence()), 4);
             }
             check::section(&mut page, app);
             numbers(&mut page, app, forecast);
@@ -143,8 +144,14 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
         page.row("margin", &force_text(a.margin));
         page.row(
             "deflection under it",
-            &a.deflection.map_or("beyond failure".into(), |d| length_text(d, unit)),
+            &match a.deflection {
+                Some(reached) => format!("{}{}", length_text(reached, unit), a.allowed_text()),
+                None => "beyond failure".into(),
+            },
         );
+        if let Some(used) = a.deflection_use {
+            page.row("use of the allowed deflection", &format!("{:.0} %", used * 100.0));
+        }
     }
     if let Some(a) = answer.at_deflection {
         page.row("force at the allowed deflection", &force_text(a.force));

@@ -11,6 +11,7 @@ pub use preferences::Preferences;
 use super::look::{ColorChoice, Glyphs};
 use crate::dem::Fidelity;
 use crate::units::LengthUnit;
+use crate::words::{Choice, words_of};
 
 /// Most runs of a check that can be asked for.
 pub(crate) const MOST_RUNS: usize = 10_000;
@@ -101,15 +102,16 @@ impl SettingItem {
     }
 
     /// Its words, in the order in which the arrows go through them.
-    fn words(self) -> &'static [&'static str] {
+    fn words(self) -> Vec<&'static str> {
+        let or = |first, others: Vec<&'static str>| [vec![first], others].concat();
         match self {
-            SettingItem::Units => &["project", "m", "mm"],
-            SettingItem::Glyphs => &["auto", "braille", "block", "ascii"],
-            SettingItem::Color => &["auto", "16", "none"],
-            SettingItem::Fidelity => &["quick", "standard", "fine"],
-            SettingItem::Runs => &STEPS,
-            SettingItem::Live => &["off", "on"],
-            SettingItem::Tour => &["due", "seen"],
+            SettingItem::Units => or("project", words_of(LengthUnit::ALL)),
+            SettingItem::Glyphs => or("auto", words_of(Glyphs::ALL)),
+            SettingItem::Color => words_of(ColorChoice::ALL),
+            SettingItem::Fidelity => words_of(&Fidelity::USUAL),
+            SettingItem::Runs => STEPS.to_vec(),
+            SettingItem::Live => vec!["off", "on"],
+            SettingItem::Tour => vec!["due", "seen"],
         }
     }
 
@@ -132,13 +134,8 @@ impl Settings {
     pub(crate) fn word(&self, item: SettingItem) -> String {
         match item {
             SettingItem::Units => self.units.map_or("project", LengthUnit::symbol).to_string(),
-            SettingItem::Glyphs => self.glyphs.map_or("auto".to_string(), |g| g.to_string()),
-            SettingItem::Color => match self.color {
-                ColorChoice::Auto => "auto",
-                ColorChoice::Basic16 => "16",
-                ColorChoice::None => "none",
-            }
-            .to_string(),
+            SettingItem::Glyphs => self.glyphs.map_or("auto", Glyphs::word).to_string(),
+            SettingItem::Color => self.color.word().to_string(),
             SettingItem::Fidelity => self.fidelity.word().to_string(),
             SettingItem::Runs => self.runs.map_or("auto".to_string(), |n| n.to_string()),
             SettingItem::Live => if self.live { "on" } else { "off" }.to_string(),
@@ -157,18 +154,14 @@ impl Settings {
             return Err(refusal());
         }
         match item {
-            SettingItem::Units => {
-                self.units = match word {
-                    "m" => Some(LengthUnit::Metre),
-                    "mm" => Some(LengthUnit::Millimetre),
-                    _ => None,
-                }
+            // The first word of these two stands for none of them.
+            SettingItem::Units => self.units = LengthUnit::from_word(word),
+            SettingItem::Glyphs => self.glyphs = Glyphs::from_word(word),
+            SettingItem::Color => {
+                self.color = ColorChoice::from_word(word).ok_or_else(refusal)?;
             }
-            SettingItem::Glyphs => self.glyphs = word.parse().ok(),
-            SettingItem::Color => self.color = word.parse().map_err(|_| refusal())?,
             SettingItem::Fidelity => {
-                let known = Fidelity::ALL.into_iter().find(|f| f.word() == word);
-                self.fidelity = known.ok_or_else(refusal)?;
+                self.fidelity = Fidelity::from_word(word).ok_or_else(refusal)?;
             }
             SettingItem::Runs if word == "auto" => self.runs = None,
             SettingItem::Runs => match word.parse() {

@@ -12,7 +12,7 @@ use crate::job::news::{News, Progress, What};
 use crate::job::order::Task;
 use crate::study::checks::{CheckAnswer, NoCheck, RUNS, inputs};
 use crate::study::result::Wanted;
-use crate::study::result::make::wires;
+use crate::words::Choice;
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
 
@@ -117,11 +117,11 @@ impl App {
     /// The check of a case as its inputs are, or why there is none.
     pub(super) fn found(&self, case: &Case) -> CheckAnswer {
         match inputs(case, &self.study_wanted()) {
-            Some(key) => {
+            Ok(key) => {
                 let kept = self.studies.campaigns.answers.get(&key);
                 kept.map_or(Err(NoCheck::NotMade), |answer| (**answer).clone())
             }
-            None => Err(NoCheck::Impossible(wires(&case.mesh).err().unwrap_or_default())),
+            Err(why) => Err(why),
         }
     }
 
@@ -161,11 +161,12 @@ impl App {
         let all = self.all_of(&cases);
         let (mut keys, mut missing) = (Vec::new(), Vec::new());
         for case in cases {
-            let Some(key) = inputs(&case, &wanted) else {
-                let why = wires(&case.mesh).err().unwrap_or_default();
-                let why = why.first().map_or(String::new(), |p| p.to_string());
-                self.complain(format!("no check: {why}"));
-                return Vec::new();
+            let key = match inputs(&case, &wanted) {
+                Ok(key) => key,
+                Err(why) => {
+                    self.complain(format!("no check: {}", why.sentence()));
+                    return Vec::new();
+                }
             };
             let known = self.studies.campaigns.answers.get(&key).is_some_and(|a| whole(a));
             if !known && !keys.contains(&key) {

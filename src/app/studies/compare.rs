@@ -2,6 +2,7 @@
 
 use super::super::keymap::Ask;
 use super::super::{App, Mode};
+use crate::words::Choice;
 
 use crate::study::checks::figures::Figures;
 use crate::study::compare::{Column, Comparison, compare};

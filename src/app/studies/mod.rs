@@ -21,8 +21,10 @@ use super::{App, Mode};
 use crate::case::Case;
 use crate::case::Input;
 use crate::dem::Fidelity;
+use crate::problem::summary;
 use crate::study::sensitivity::Effect as Shown;
 use crate::units::significant;
+use crate::words::Choice;
 use campaign::Campaigns;
 use std::sync::Arc;
 
@@ -173,8 +175,7 @@ impl App {
     /// Makes the selected layout's sizes those of a case, as an edit that can be undone.
     fn take_into_layout(&mut self, case: Case, words: &str) {
         if let Err(problems) = case.layout.check() {
-            let why = problems.first().map_or(String::new(), |p| p.to_string());
-            return self.complain(why);
+            return self.complain(summary(&problems));
         }
         let at = self.selected;
         let to = case.layout;

@@ -9,7 +9,7 @@ use super::campaign::Coverage;
 use super::neighbour;
 use crate::case::{Case, CaseValue, Input, StepSize};
 use crate::fingerprint::Fingerprinter;
-use crate::problem::Problem;
+use crate::problem::{Problem, summary};
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
@@ -146,9 +146,9 @@ impl SweepState {
     pub(super) fn cases(&self) -> Result<Vec<Case>, String> {
         let Some(view) = &self.view else { return Ok(Vec::new()) };
         match (&view.grid, &view.no_dem) {
-            (_, Some(why)) => Err(format!("no check: {}", why.reason())),
-            (Some(grid), None) => dem::cases(&view.case, grid).map_err(|why| why.reason()),
-            (None, None) => Err(view.problems.first().map_or(String::new(), |p| p.to_string())),
+            (_, Some(why)) => Err(format!("no check: {}", why.sentence())),
+            (Some(grid), None) => dem::cases(&view.case, grid).map_err(|why| why.sentence()),
+            (None, None) => Err(summary(&view.problems)),
         }
     }
 }

@@ -1,12 +1,13 @@
 //! What may be asked of a check on the command line.
 
 use crate::cli::case::Geometry;
+use crate::cli::choice::one_of;
 use crate::cli::output::Fault;
 use crate::cli::quantity;
 use crate::dem::fast::Path as Instructions;
 use crate::dem::{Controls, Fidelity, Test};
 use crate::study::ensemble::Plan;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use crate::words::Choice;
 use clap::{Args, ValueEnum};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -42,7 +43,7 @@ pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(super) geometry: Geometry,
     /// Which punch test: the periodic cell held by plates, or the panel held along its edges.
-    #[arg(long, value_name = "TEST", default_value = "anchored", value_parser = test(), help_heading = "Test")]
+    #[arg(long, value_name = "TEST", default_value = "anchored", value_parser = one_of(Test::ALL), help_heading = "Test")]
     pub(super) test: Test,
     /// Net and wires instead of the mesh's own, see below.
     #[arg(long, value_name = "FILE", help_heading = "Test")]
@@ -63,7 +64,7 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "N", help_heading = "Runs")]
     threads: Option<NonZeroUsize>,
     /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = fidelity(), help_heading = "Accuracy")]
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Fidelity::ALL), help_heading = "Accuracy")]
     fidelity: Fidelity,
     /// Factor on the time step; what is beyond the stability bound is refused.
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = quantity::number, allow_hyphen_values = true, help_heading = "Accuracy")]
@@ -181,17 +182,4 @@ fn phase(text: &str) -> Result<Phase, String> {
                 .into())
         }
     }
-}
-
-fn test() -> impl TypedValueParser<Value = Test> {
-    PossibleValuesParser::new(["anchored", "laboratory"])
-        .map(|word| if word == "laboratory" { Test::Laboratory } else { Test::Anchored })
-}
-
-/// A fidelity by its word.
-pub(in crate::cli) fn fidelity() -> impl TypedValueParser<Value = Fidelity> {
-    PossibleValuesParser::new(Fidelity::ALL.map(Fidelity::word)).map(|word| {
-        // The parser lets no other word through.
-        Fidelity::ALL.into_iter().find(|f| f.word() == word).unwrap_or_default()
-    })
 }

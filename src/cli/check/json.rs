@@ -8,6 +8,7 @@ use crate::show::objects::{curve, ends, head, inputs, maybe_pair, pair, remark};
 use crate::show::value::{Object, Value, exact, kn, word};
 use crate::study::ensemble::{Run, Spread};
 use crate::units::to_kn;
+use crate::words::Choice;
 
 /// One object, or a list of them with one line each.
 pub(crate) fn report(checked: &[Checked], several: bool) -> Result<String, Fault> {
@@ -23,7 +24,7 @@ fn one(c: &Checked) -> Object {
     let band = Object::new()
         .with("F_kN", ends(counted.then(|| e.force.band.map(to_kn))))
         .with("delta_m", ends(counted.then_some(e.deflection.band)));
-    let warnings = c.warnings.iter().map(|w| remark(w.code, w.weight, w.message.clone()));
+    let remarks = c.remarks.iter().map(|r| remark(r.code(), r.weight(), r.sentence()));
     head(c.name.as_deref(), c.fingerprint, inputs(&c.case))
         .with("test", word(c.spec.test))
         .with("fidelity", c.fidelity.word())
@@ -38,7 +39,7 @@ fn one(c: &Checked) -> Object {
         .with("slipped", e.slipped)
         .with("band", band)
         .with("forecast", maybe_pair(c.forecast.values.map(|v| (v.force, v.deflection))))
-        .with("warnings", warnings.collect::<Value>())
+        .with("warnings", remarks.collect::<Value>())
 }
 
 /// The word for a bond.

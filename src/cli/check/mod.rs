@@ -12,7 +12,7 @@ mod remarks;
 mod text;
 
 pub(crate) use flags::CheckArgs;
-pub(super) use flags::{fidelity, runs, threads};
+pub(super) use flags::{runs, threads};
 
 use super::case::Inputs;
 use super::output::{CommandEnd, Fault, Output, say};
@@ -28,8 +28,8 @@ use crate::problem::Problem;
 use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
+use crate::study::remark::CheckRemark;
 use flags::CheckFormat;
-use remarks::CheckRemark;
 
 /// One case with its check.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ struct Checked {
     stretch: [f64; 2],
     forecast: Forecast,
     fingerprint: Fingerprint,
-    warnings: Vec<CheckRemark>,
+    remarks: Vec<CheckRemark>,
 }
 
 impl Checked {
@@ -197,9 +197,9 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             stretch,
             forecast,
             fingerprint,
-            warnings: Vec::new(),
+            remarks: Vec::new(),
         };
-        one.warnings = remarks::of(&one);
+        one.remarks = remarks::of(&one);
         checked.push(one);
     }
     let runs: usize = checked.iter().map(|c| c.ensemble.runs.len()).sum();

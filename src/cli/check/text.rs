@@ -9,6 +9,7 @@ use crate::dem::{Stop, Test};
 use crate::forecast::CURVE_POINTS;
 use crate::study::ensemble::Run;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, significant, to_kj, to_kn};
+use crate::words::Choice;
 
 /// Widest line, columns.
 const WIDTH: usize = 80;
@@ -53,8 +54,8 @@ fn one(c: &Checked, unit: LengthUnit) -> Vec<String> {
             page.line(if k == 0 { "skipped" } else { "" }, what);
         }
     }
-    for warning in &c.warnings {
-        page.line(warning.weight, &warning.message);
+    for remark in &c.remarks {
+        page.line(remark.weight().word(), remark.sentence());
     }
     page.lines
 }

@@ -26,7 +26,7 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> String {
             table.with(input.column(), move |l| columns::input(input, input.value(&l.row.case)))
         })
         .part([force, deflection], |l| Some(&l.point))
-        .part(OVER_LAB, |l| l.row.forecast.as_ref().ok())
+        .part(OVER_LAB, |l| l.row.forecast())
         .part([utilisation, at_load], |l| Some(&l.point))
         .with("governing", |l| l.governing.into())
         .part([missing, warnings], |l| Some(&l.point))

@@ -4,6 +4,7 @@ use super::{Compared, mark};
 use crate::cli::VERSION;
 use crate::cli::output::{Fault, json};
 use crate::cli::page::BASIS;
+use crate::forecast::design::Limit;
 use crate::show::columns::{CheckRow, OVER_LAB, PointRow, RATIOS, point};
 use crate::show::objects::{self, check, design, inputs, plan};
 use crate::show::value::{Object, Value, kn};
@@ -15,8 +16,8 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fau
         let row = &c.rows[g.row];
         Object::new()
             .with("layout", row.name.clone())
-            .with("by", if g.utilisation.is_some() { "utilisation" } else { "F" })
-            .with("utilisation", g.utilisation)
+            .with("by", by(g.used.map(|(_, limit)| limit)))
+            .with("utilisation", row.utilisation())
             .with("F_kN", row.values().ok().map(|v| kn(v.force)))
     });
     let report = Object::new()
@@ -29,12 +30,21 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fau
     Ok(json(&report)? + "\n")
 }
 
+/// What the governing layout governs by.
+fn by(limit: Option<Limit>) -> &'static str {
+    match limit {
+        Some(Limit::Force) => "utilisation",
+        Some(Limit::Deflection) => "deflection",
+        None => "F",
+    }
+}
+
 fn one(compared: &Compared, index: usize) -> Object {
     let c = &compared.comparison;
     let row = &c.rows[index];
     let given = PointRow::from(row);
     let [_, _, utilisation, _, missing, _] = point();
-    let ratios = row.forecast.as_ref().ok();
+    let ratios = row.forecast();
     let ratios = ratios.map(|f| Object::new().columns(&RATIOS, f).columns(&OVER_LAB, f));
     let question = &row.case.question;
     let check = compared

@@ -10,14 +10,15 @@ mod text;
 
 use super::UiFlags;
 use super::case::Inputs;
+use super::choice::one_of;
 use super::dem::{DemFlags, Job};
 use super::output::{CommandEnd, Output, TableFormat};
-use crate::forecast::warning::Weight;
+use crate::remark::Weight;
 use crate::study::checks::CheckAnswer;
 use crate::study::compare::{Column, CompareRow, Comparison, compare};
 use crate::study::result::Wanted;
+use crate::words::Choice;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
 /// The layouts of a project in one table, and which of them governs.
@@ -29,7 +30,7 @@ pub(crate) struct CompareArgs {
     #[arg(value_name = "PROJECT.ron")]
     project: PathBuf,
     /// Column to sort by, rising; layouts with nothing there stand last [default: the project's order].
-    #[arg(long, value_name = "COLUMN", value_parser = column())]
+    #[arg(long, value_name = "COLUMN", value_parser = one_of(Column::ALL))]
     sort: Option<Column>,
     /// Sort falling.
     #[arg(long, requires = "sort")]
@@ -41,13 +42,6 @@ pub(crate) struct CompareArgs {
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
-}
-
-fn column() -> impl TypedValueParser<Value = Column> {
-    PossibleValuesParser::new(Column::ALL.map(Column::word)).map(|word| {
-        // One of these words, as the parser in front sees to.
-        Column::ALL.into_iter().find(|c| c.word() == word).unwrap_or(Column::Name)
-    })
 }
 
 /// A comparison with its checks.

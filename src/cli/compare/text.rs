@@ -1,9 +1,10 @@
 //! A comparison as a table of 80 columns, the governing layout named below, and what to know.
 
 use super::{Compared, both, mark};
+use crate::case::Derived;
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut, percent};
-use crate::forecast::warning::Weight;
+use crate::remark::Weight;
 use crate::study::compare::{CompareRow, Comparison};
 use crate::units::{LengthUnit, force_text, significant, to_kn};
 
@@ -70,7 +71,7 @@ fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
         // In the two columns together.
         Err(why) => (String::new(), why.short().to_string()),
     };
-    let forecast = row.forecast.as_ref().ok();
+    let forecast = row.forecast();
     let ratio = |v: Option<f64>| v.map_or("-".to_string(), |v| format!("{v:.3}"));
     let line = format!(
         "{} {}{:>6}{:>6}{:>6}{:>6}{:>6}{:>14}{:>6}{:>6}{:>6} {}",
@@ -94,10 +95,8 @@ fn governing(page: &mut Page, c: &Comparison) {
     let text = match c.governing {
         Some(g) => {
             let row = &c.rows[g.row];
-            match (g.utilisation, row.values()) {
-                (Some(u), _) => {
-                    format!("{}: the highest use, {} %", row.name, percent(u))
-                }
+            match (g.text(), row.values()) {
+                (Some(text), _) => format!("{}: {text}", row.name),
                 (None, Ok(v)) => format!(
                     "{}: the lowest force, {}; no layout has a design force",
                     row.name,
@@ -113,19 +112,19 @@ fn governing(page: &mut Page, c: &Comparison) {
 
 fn remarks(page: &mut Page, row: &CompareRow) {
     let name = &row.name;
-    let at = row.answer.and_then(|a| a.at_force);
-    if let Some(at) = at {
-        if at.utilisation > 1.0 {
-            let text =
-                format!("{name}: {} short at {}", force_text(-at.margin), force_text(at.load));
-            page.line("NOT ENOUGH", text);
-        } else if let (Some(false), Some(reached)) = (at.within_allowable, at.deflection) {
-            let (reached, load) = (page.length(reached), force_text(at.load));
-            page.line("too far", format!("{name}: {reached} at {load}, over the allowable"));
-        }
+    let at = row.answer().and_then(|a| a.at_force);
+    if let Some((at, trouble)) = at.and_then(|at| Some((at, at.trouble()?))) {
+        let load = force_text(at.load);
+        let text = match at.deflection.filter(|_| at.over_allowed()) {
+            Some(reached) => {
+                format!("{name}: {} at {load}{}", page.length(reached), at.allowed_text())
+            }
+            None => format!("{name}: {} short at {load}", force_text(-at.margin)),
+        };
+        page.line(trouble, text);
     }
-    match &row.forecast {
-        Ok(f) => {
+    match &row.derived {
+        Ok(Derived { forecast: f, .. }) => {
             let all = f.warnings.iter().filter(|w| w.weight() >= Weight::Caution);
             let all: Vec<String> = all.map(|w| w.short()).collect();
             if !all.is_empty() {

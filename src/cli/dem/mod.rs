@@ -5,13 +5,15 @@
 
 pub(crate) mod text;
 
-use super::check::{fidelity, runs, threads};
+use super::check::{runs, threads};
 use super::watch::Watch;
 use crate::case::Case;
+use crate::cli::choice::one_of;
 use crate::dem::Fidelity;
 use crate::dem::Flow;
 use crate::study::checks::{CaseEvent, CheckAnswer, NoCheck, RUNS, checks};
 use crate::study::result::Wanted;
+use crate::words::Choice;
 use clap::Args;
 use std::num::NonZeroUsize;
 
@@ -24,7 +26,7 @@ pub(crate) struct DemFlags {
     #[arg(long)]
     dem: bool,
     /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.
-    #[arg(long, value_name = "FIDELITY", requires = "dem", default_value = "quick", value_parser = fidelity())]
+    #[arg(long, value_name = "FIDELITY", requires = "dem", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
     /// Number of runs of each check.
     #[arg(long, value_name = "N", requires = "dem", default_value_t = RUNS, value_parser = runs)]

@@ -1,8 +1,11 @@
 //! What a study's text says about its checks.
 
 use crate::cli::page::Page;
+use crate::remark::Weight;
 use crate::study::checks::{CheckAnswer, NoCheck};
-use crate::study::result::{CheckResult, Wanted};
+use crate::study::remark::CheckRemark;
+use crate::study::result::Wanted;
+use crate::words::Choice;
 
 /// What all checks of a study have in common.
 pub(crate) fn plan(page: &mut Page, wanted: &Wanted) {
@@ -21,9 +24,6 @@ pub(crate) fn plan(page: &mut Page, wanted: &Wanted) {
     );
 }
 
-/// A word in front, what is said, and of which results.
-type Remark<'a> = (&'a str, &'a str, &'a dyn Fn(&CheckResult) -> bool);
-
 /// What to know of the answers, each named.
 pub(crate) fn notes<'a>(
     page: &mut Page,
@@ -34,49 +34,39 @@ pub(crate) fn notes<'a>(
         answers.clone().filter(of).map(|a| a.0).collect::<Vec<String>>()
     };
     if !missing(&NoCheck::Laboratory).is_empty() {
-        page.line("no DEM", NoCheck::Laboratory.reason());
+        page.line("no DEM", NoCheck::Laboratory.sentence());
     }
     let names = missing(&NoCheck::NotMade);
     if !names.is_empty() {
-        page.line("not made", format!("{}: {}", listed(&names), NoCheck::NotMade.reason()));
+        page.line("not made", format!("{}: {}", listed(&names), NoCheck::NotMade.sentence()));
     }
     let impossible = NoCheck::Impossible(Vec::new());
     let names = missing(&impossible);
     let first =
         answers.clone().find_map(|a| a.1.as_ref().err().filter(|e| e.code() == impossible.code()));
     if let Some(first) = first {
-        page.line("no DEM", format!("{}: {}", listed(&names), first.reason()));
+        page.line("no DEM", format!("{}: {}", listed(&names), first.sentence()));
     }
-    let has = |v: &CheckResult, code: &str| v.warnings.iter().any(|w| w == code);
-    let warned: [Remark; 6] = [
-        ("cancelled", "ended early, the mean is of the runs that were whole", &|v| {
-            has(v, "cancelled")
-        }),
-        ("diverged", "runs diverged and are not counted", &|v| has(v, "diverged")),
-        (
-            "bifurcation",
-            "the block can stay on a wire or slip off it; only the ensemble counts",
-            &|v| has(v, "bifurcation"),
-        ),
-        ("slipped", "runs slipped through: in the band by their peak, not in the mean", &|v| {
-            v.slipped > 0
-        }),
-        (
-            "no break",
-            "runs came to the displacement limit: in the band by their peak, not in the mean",
-            &|v| v.breaks.len() + v.slipped < v.runs,
-        ),
-        ("inexact", "estimated error of a run above twice what the fidelity aims at", &|v| {
-            v.quality.error_estimate > 2.0 * v.wanted.fidelity.aim()
-        }),
-    ];
-    for (head, text, of) in warned {
-        let names: Vec<String> =
-            answers.clone().filter(|a| a.1.as_ref().is_ok_and(of)).map(|a| a.0).collect();
-        if !names.is_empty() {
-            page.line(head, format!("{}: {text}", listed(&names)));
+    let mut kinds: Vec<(CheckRemark, Vec<String>)> = Vec::new();
+    for (name, answer) in answers {
+        let Ok(result) = answer else { continue };
+        for remark in result.remarks().iter().filter(|r| said_here(r)) {
+            let remark = remark.general();
+            match kinds.iter_mut().find(|(kind, _)| *kind == remark) {
+                Some((_, names)) => names.push(name.clone()),
+                None => kinds.push((remark, vec![name.clone()])),
+            }
         }
     }
+    for (remark, names) in kinds {
+        let text = format!("{}: {}", listed(&names), remark.sentence());
+        page.line(remark.weight().word(), text);
+    }
+}
+
+/// Whether a remark is worth a line: how well the means are known stands beside them.
+fn said_here(remark: &CheckRemark) -> bool {
+    remark.weight() > Weight::Note && !matches!(remark, CheckRemark::StandardError(_))
 }
 
 /// Some names; of many the first.

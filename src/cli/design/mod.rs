@@ -9,11 +9,11 @@ mod text;
 
 use super::UiFlags;
 use super::case::Source;
+use super::choice::one_of;
 use super::output::{CommandEnd, Fault, TableFormat, result};
 use crate::case::{self, Case, Input};
 use crate::study::solve::{Crossing, Requirement, Solution, solve};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 /// Which plate, spacing or punch just meets a design force or an allowable deflection.
 ///
@@ -25,7 +25,7 @@ pub(crate) struct DesignArgs {
     #[command(flatten)]
     source: Source,
     /// The input to solve for [default: each of d, L and D].
-    #[arg(long, value_name = "INPUT", value_parser = input())]
+    #[arg(long, value_name = "INPUT", value_parser = one_of(&[Input::Plate, Input::Spacing, Input::Punch]))]
     solve: Option<Input>,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
@@ -34,13 +34,6 @@ pub(crate) struct DesignArgs {
 
 /// Inputs that can be solved for: those with a published range, the spacing first.
 const SOLVED: [Input; 3] = [Input::Spacing, Input::Plate, Input::Punch];
-
-fn input() -> impl TypedValueParser<Value = Input> {
-    PossibleValuesParser::new(["d", "L", "D"]).map(|word| {
-        // One of these words, as the parser in front sees to.
-        SOLVED.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
-    })
-}
 
 /// One layout with its solutions.
 #[derive(Debug)]

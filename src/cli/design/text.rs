@@ -3,7 +3,8 @@
 use super::Solved;
 use crate::case::{CasePoint, CaseValue};
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
-use crate::forecast::warning::{Warning, Weight};
+use crate::forecast::warning::Warning;
+use crate::remark::Weight;
 use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
 use crate::units::{LengthUnit, force_text};
 
@@ -33,7 +34,7 @@ fn one(s: &Solved, unit: LengthUnit) -> String {
             );
             page.design(&point.answer, &s.case.question);
         }
-        Err(_) => page.line("field", "no value as it stands: the punch is on a plate"),
+        Err(why) => page.line("field", why.sentence()),
     }
     let mut heading = None;
     for solution in &s.solutions {
@@ -156,7 +157,7 @@ fn outcome(page: &Page, o: &CaseValue) -> String {
 fn place(page: &Page, p: &Place, requirement: Requirement) -> String {
     let at = page.length(p.value);
     let Ok(point) = &p.outcome else { return format!("at {at} {}", outcome(page, &p.outcome)) };
-    let used = point.utilisation().map(|u| format!("use {} %", percent(u)));
+    let used = point.answer.at_force.map(|at| at.use_text());
     let reached = match &point.answer.at_force {
         None => page.length(point.values().deflection),
         Some(force) => match force.deflection {

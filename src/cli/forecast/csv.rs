@@ -5,7 +5,7 @@ use super::Answered;
 use crate::cli::output::Output;
 use crate::export::csv::curves;
 use crate::forecast::CURVE_POINTS;
-use crate::forecast::warning::Weight;
+use crate::remark::Weight;
 
 /// The table, with a note for every layout that has no curve.
 pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
@@ -21,5 +21,5 @@ pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
 fn no_curve(a: &Answered) -> String {
     let name = a.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
     let why = a.forecast.warnings.iter().find(|w| w.weight() == Weight::Outside);
-    format!("{name}no curve; {}", why.map_or_else(|| "no field value".into(), |w| w.message()))
+    format!("{name}no curve; {}", why.map_or_else(|| "no field value".into(), |w| w.sentence()))
 }

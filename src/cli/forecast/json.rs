@@ -7,6 +7,7 @@ use crate::forecast::{CURVE_POINTS, Field, Forecast, Values};
 use crate::show::columns::{OVER_LAB, RATIOS, STIFFNESS};
 use crate::show::objects::{curve, design, head, inputs, values, warnings};
 use crate::show::value::{Object, Value};
+use crate::words::Choice;
 
 /// One object, or a list of them with one line each.
 pub(crate) fn report(answered: &[Answered], several: bool) -> Result<String, Fault> {

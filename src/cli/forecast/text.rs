@@ -1,6 +1,7 @@
 //! A forecast as a text for people: at most 24 lines of 80 columns a layout.
 
 use super::Answered;
+use crate::case::NO_FIELD_VALUE;
 use crate::cli::output::wrapped;
 use crate::cli::page::{BASIS, MARGIN, Page, WIDTH};
 use crate::forecast::Field;
@@ -8,6 +9,7 @@ use crate::forecast::field::Branch;
 use crate::forecast::warning::Warning;
 use crate::units::{LengthUnit, force_text, significant};
 use crate::units::{to_kj, to_kn};
+use crate::words::Choice;
 
 /// Most lines a layout.
 const HEIGHT: usize = 24;
@@ -40,7 +42,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 page.design(answer, &a.case.question);
             }
         }
-        None => page.line("field", "no value: outside the method"),
+        None => page.line("field", NO_FIELD_VALUE),
     }
     page.line("basis", BASIS);
     warnings(&mut page, &a.forecast.warnings);
@@ -143,7 +145,7 @@ fn warnings(page: &mut Page, warnings: &[Warning]) {
             .map(|w| wrapped(&format!("{:<MARGIN$}", w.weight().word()), &text(w), WIDTH))
             .collect()
     };
-    let whole = lines(Warning::message).concat();
+    let whole = lines(Warning::sentence).concat();
     if whole.len() <= room {
         page.lines.extend(whole);
         return;

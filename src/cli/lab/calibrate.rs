@@ -1,6 +1,7 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
 
-use crate::cli::check::{fidelity, threads};
+use crate::cli::check::threads;
+use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::{VERSION, quantity, wire};
@@ -14,6 +15,7 @@ use crate::show::objects::pair;
 use crate::show::value::{Object, Value, kn};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
 use crate::units::{shortest, significant, to_kn};
+use crate::words::Choice;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write;
@@ -54,7 +56,7 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_name = "S", default_value_t = 0)]
     seed: u64,
     /// How exactly each run is computed.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = fidelity())]
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
     /// Threads; the result does not depend on them [default: as many as the machine has].
     #[arg(long, value_name = "N")]

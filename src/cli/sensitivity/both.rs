@@ -19,7 +19,7 @@ const HALF: usize = 7;
 pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
     let result = match &checked.base {
         Ok(result) => result,
-        Err(why) => return page.line("CHECK", format!("none: {}", why.reason())),
+        Err(why) => return page.line("CHECK", format!("none: {}", why.sentence())),
     };
     let forecast = s.sensitivity.base.as_ref().ok().map(|p| p.values());
     let f = Figures::of(result, forecast, &s.case.question);

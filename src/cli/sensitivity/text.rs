@@ -4,8 +4,8 @@
 use super::{Studied, both};
 use crate::case::{CasePoint, Input};
 use crate::cli::dem::text as dem;
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
-use crate::forecast::warning::Weight;
+use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
+use crate::remark::Weight;
 use crate::show::effect::{self, EffectScale};
 use crate::show::glyphs::Glyphs;
 use crate::show::tornado;
@@ -55,7 +55,7 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
                 both::notes(&mut page, checked);
             }
         }
-        Err(_) => page.line("field", "no value, and so no sensitivity: the punch is on a plate"),
+        Err(why) => page.line("field", why.sentence()),
     }
     page.line("basis", BASIS);
     page.text()
@@ -64,8 +64,8 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
 fn base(page: &mut Page, point: &CasePoint) {
     let v = point.values();
     let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
-    if let Some(utilisation) = point.utilisation() {
-        text.push_str(&format!(", use {} %", percent(utilisation)));
+    if let Some(at) = &point.answer.at_force {
+        text.push_str(&format!(", {}", at.use_text()));
     }
     page.line("FIELD", text);
 }

@@ -12,6 +12,7 @@ mod text;
 
 use super::UiFlags;
 use super::case::Source;
+use super::choice::one_of;
 use super::dem::{DemFlags, Done, Job};
 use super::output::{CommandEnd, Fault, Output, TableFormat};
 use crate::case::{Case, Input};
@@ -20,7 +21,6 @@ use crate::study::checks::CheckAnswer;
 use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
 use crate::units::{LengthUnit, Quantity, parse};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 /// F, delta and utilisation over a range of one input, or over a grid of two.
 ///
@@ -43,7 +43,7 @@ pub(crate) struct SweepArgs {
 #[command(next_help_heading = "Ranges (both ends belong to them)")]
 struct Ranges {
     /// The input to vary.
-    #[arg(long, value_name = "INPUT", value_parser = input())]
+    #[arg(long, value_name = "INPUT", value_parser = one_of(&Input::VARIED))]
     vary: Input,
     /// Its first value.
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
@@ -55,7 +55,7 @@ struct Ranges {
     #[arg(long, value_name = "N", default_value_t = 21)]
     steps: usize,
     /// A second input: the result is a map.
-    #[arg(long, value_name = "INPUT", value_parser = input(), requires_all = ["from2", "to2"])]
+    #[arg(long, value_name = "INPUT", value_parser = one_of(&Input::VARIED), requires_all = ["from2", "to2"])]
     vary2: Option<Input>,
     /// Its first value.
     #[arg(long, value_name = "M", requires = "vary2", allow_hyphen_values = true)]
@@ -70,13 +70,6 @@ struct Ranges {
 
 /// Values of the second input, where their number is not given.
 const STEPS_2: usize = 11;
-
-fn input() -> impl TypedValueParser<Value = Input> {
-    PossibleValuesParser::new(Input::VARIED.map(Input::word)).map(|word| {
-        // One of these words, as the parser in front sees to.
-        Input::VARIED.into_iter().find(|i| i.word() == word).unwrap_or(Input::Spacing)
-    })
-}
 
 /// One layout with its sweep.
 #[derive(Debug)]

@@ -7,6 +7,7 @@ use crate::export::ExportedLayout;
 use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
+use crate::words::Choice;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
@@ -99,7 +100,10 @@ fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
     };
     let used = case.design().and_then(|d| d.at_force).map_or_else(nothing, |at| {
         let percent = format!("{:.0} %", at.utilisation * 100.0);
-        if at.utilisation > 1.0 { strong(format!("{percent}, not enough")) } else { percent.into() }
+        match at.trouble() {
+            Some(trouble) => strong(format!("{percent}, {}", trouble.to_lowercase())),
+            None => percent.into(),
+        }
     });
     let known = match (forecast.warnings.len(), forecast.extrapolated()) {
         (0, _) => nothing(),

@@ -65,7 +65,7 @@ fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
     }
     let items = all.iter().map(|w| {
         let mut words = strong(format!("{}: ", sentence(w.weight().word()).trim_end_matches('.')));
-        words.0.extend(Words::from(sentence(&w.message())).0);
+        words.0.extend(Words::from(sentence(&w.sentence())).0);
         words
     });
     document.blocks.push(Block::List(items.collect()));
@@ -189,15 +189,11 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
             significant(at.utilisation * 100.0, 3),
             force_text(at.margin)
         )));
-        let allowable = match at.within_allowable {
-            Some(true) => ", within the allowable deflection",
-            Some(false) => ", beyond the allowable deflection",
-            None => "",
-        };
+        let allowed = at.allowed_text();
         items.push(match at.deflection {
             Some(reached) => {
                 let reached = length_text(reached, unit);
-                ours(&format!("Deflection under that load: {reached}{allowable}."))
+                ours(&format!("Deflection under that load: {reached}{allowed}."))
             }
             None => ours("That load is beyond failure: there is no deflection."),
         });

@@ -5,6 +5,7 @@ use super::frame::ChartPlane;
 use super::labels::Labels;
 use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
+use crate::case::NO_FIELD_VALUE;
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
 use crate::forecast::{Values, rescaled};
@@ -311,7 +312,7 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
             }
         }
         None => {
-            let remark = "no field value: the punch is on an anchor plate";
+            let remark = NO_FIELD_VALUE;
             content.remark = Some(remark);
             content.words("", format!("forecast: {remark}"));
         }
@@ -383,7 +384,7 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
                 let words = format!("{name}: {}{far}", at_failure(field.values, unit));
                 content.line(&field.curve(POINTS), stroke, mark, &tag, words);
             }
-            None => content.words(&tag, format!("{name}: no field value, punch on a plate")),
+            None => content.words(&tag, format!("{name}: {NO_FIELD_VALUE}")),
         }
         if let Some(check) = series.check {
             content.check(check, Stroke { width: 1.2, ..marks::CHECK }, &tag, unit);

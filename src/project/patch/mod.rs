@@ -18,6 +18,7 @@ use super::text::{Group, Node, NodeKind, Shape, Span, Tree};
 use super::write;
 use crate::case::Input;
 use crate::case::input::Missing;
+use crate::words::Choice;
 use fields::{FieldChange, Fields};
 use list::{Item, List};
 

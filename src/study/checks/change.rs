@@ -8,6 +8,7 @@
 
 use super::utilisation;
 use crate::forecast::design::Question;
+use crate::study::remark::CheckFlag;
 use crate::study::result::CheckResult;
 
 /// A change with its standard error.
@@ -81,7 +82,7 @@ pub(crate) fn change(
 /// Whether the first breaks of both are those of the same runs.
 fn paired(a: &CheckResult, b: &CheckResult) -> bool {
     let whole = |v: &CheckResult| {
-        let cut = v.warnings.iter().any(|w| w == "cancelled" || w == "diverged");
+        let cut = [CheckFlag::Cancelled, CheckFlag::Diverged].iter().any(|f| v.flags.contains(f));
         !cut && v.slipped == 0 && v.breaks.len() == v.runs
     };
     whole(a) && whole(b) && a.runs == b.runs && a.wanted == b.wanted
@@ -156,7 +157,7 @@ mod tests {
         assert_eq!((none.force, none.paired), (KnownValue { value: 0.0, error: Some(0.0) }, true));
         // Where a run is cut off the pairs are not known, and the errors add up.
         let mut cut = b.clone();
-        cut.warnings.push("cancelled".into());
+        cut.flags.push(CheckFlag::Cancelled);
         let apart = change(a, &cut, &base.question).unwrap();
         assert!(!apart.paired);
         let sum = a.force.error.hypot(b.force.error);

@@ -26,7 +26,7 @@ use crate::dem::Flow;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
-use crate::problem::Problem;
+use crate::problem::{Problem, summary};
 use std::collections::HashMap;
 
 /// Runs of each case of a study where nobody says how many. The least of a check
@@ -66,15 +66,12 @@ impl NoCheck {
     }
 
     /// The reason as a sentence without a final stop.
-    pub(crate) fn reason(&self) -> String {
+    pub(crate) fn sentence(&self) -> String {
         match self {
             NoCheck::Laboratory => {
                 "the check takes its wires from the mesh, not from the laboratory values".into()
             }
-            NoCheck::Impossible(problems) => {
-                let all: Vec<String> = problems.iter().map(Problem::to_string).collect();
-                all.join("; ")
-            }
+            NoCheck::Impossible(problems) => summary(problems),
             NoCheck::NotMade => "ended before a run of it was whole".into(),
         }
     }
@@ -118,7 +115,7 @@ pub(crate) fn checks(
     let mut made: HashMap<Fingerprint, usize> = HashMap::new();
     let mut answers: Vec<CheckAnswer> = Vec::with_capacity(total);
     for (index, case) in cases.iter().enumerate() {
-        let before = inputs(case, wanted).and_then(|inputs| match made.get(&inputs) {
+        let before = inputs(case, wanted).ok().and_then(|inputs| match made.get(&inputs) {
             Some(place) => answers.get(*place).cloned(),
             None => {
                 made.insert(inputs, index);
@@ -143,10 +140,13 @@ pub(crate) fn checks(
     answers
 }
 
-/// Fingerprint of a case's check; nothing where its mesh has no wires.
-pub(crate) fn inputs(case: &Case, wanted: &Wanted) -> Option<Fingerprint> {
-    let wire = wires(&case.mesh).ok()?;
-    Some(make::fingerprint(&case.layout, wire, wanted))
+/// Fingerprint of a case's check.
+///
+/// # Errors
+/// Its mesh has no wires.
+pub(crate) fn inputs(case: &Case, wanted: &Wanted) -> Result<Fingerprint, NoCheck> {
+    let wire = wires(&case.mesh).map_err(NoCheck::Impossible)?;
+    Ok(make::fingerprint(&case.layout, wire, wanted))
 }
 
 fn one(
@@ -238,7 +238,7 @@ pub(super) mod tests {
         assert_eq!(answers[2], answers[0], "the laboratory's force is no input of a check");
         assert_ne!(answers[1], answers[0]);
         let why = answers[3].as_ref().unwrap_err();
-        assert!(why.code() == "impossible" && why.reason().starts_with("D = 1.4 m"), "{why:?}");
+        assert!(why.code() == "impossible" && why.sentence().starts_with("D = 1.4 m"), "{why:?}");
     }
 
     #[test]
@@ -258,6 +258,14 @@ pub(super) mod tests {
         });
         assert!(answers[0].is_ok() && answers[1..].iter().all(|a| *a == Err(NoCheck::NotMade)));
         assert!(checks(&[], &two(), 1, &|_| Flow::Continue).is_empty());
+    }
+
+    /// A screen once showed an empty line where an error had come without a reason.
+    #[test]
+    fn nothing_is_refused_without_a_word() {
+        assert!(!NoCheck::Impossible(Vec::new()).sentence().is_empty());
+        let none = crate::case::NoValue::Senseless(Vec::new()).sentence();
+        assert_eq!(none, "no value: no reason is known");
     }
 
     #[test]

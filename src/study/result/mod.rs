@@ -15,11 +15,12 @@ pub(crate) mod places;
 pub mod relief;
 pub(crate) mod revisions;
 
-use super::ensemble::{Ensemble, Plan, Run, Spread};
+use super::ensemble::{Ensemble, Plan, Run, Spread, counts};
+use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::curve::{Curve, Point};
 use crate::dem::lattice::Role;
 use crate::dem::outcome::Quality;
-use crate::dem::{Controls, Fidelity, Stop};
+use crate::dem::{Controls, Fidelity};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
 pub use revisions::Revisions;
@@ -111,8 +112,9 @@ pub struct CheckResult {
     pub breaks: Vec<FirstBreak>,
     /// The worst of the runs' quality figures.
     pub quality: Quality,
-    /// Warnings by their name, as those of an ensemble, `cancelled` among them.
-    pub warnings: Vec<String>,
+    /// What the ensemble told of itself; see [`CheckResult::remarks`] for all there is to say.
+    pub flags: Vec<CheckFlag>,
+    /// What another version noted.
     /// What another version noted.
     pub later: Later,
 }
@@ -153,39 +155,14 @@ impl CheckResult {
             curve,
             band,
             quality: worst(&runs),
-            warnings: ensemble.warnings.clone(),
+            flags: ensemble.flags.clone(),
             later: Later::default(),
         }
     }
 
     /// Whether the check was ended before all its runs were made.
     pub(crate) fn partial(&self) -> bool {
-        self.warnings.iter().any(|w| w == "cancelled")
-    }
-
-    /// Whether one alignment says nothing here, see [`crate::dem::bifurcation`].
-    pub(crate) fn bifurcation(&self) -> bool {
-        self.warnings.iter().any(|w| w == "bifurcation")
-    }
-
-    /// Its warnings as sentences without a final stop.
-    pub(crate) fn remarks(&self) -> Vec<String> {
-        let sentence = |name: &String| {
-            match name.as_str() {
-            "bifurcation" => {
-                "the answer depends on a millimetre of the punch's place: only the band counts, never one run".into()
-            }
-            "diverged" => "some runs ran away and were left out".into(),
-            "cancelled" => "ended early: these are the runs made by then".into(),
-            other => other.to_string(),
-        }
-        };
-        self.warnings.iter().map(sentence).collect()
-    }
-
-    /// Whether runs were left out because they ran away.
-    pub(crate) fn diverged(&self) -> bool {
-        self.warnings.iter().any(|w| w == "diverged")
+        self.flags.contains(&CheckFlag::Cancelled)
     }
 
     /// Whether there is a mean first break.
@@ -200,11 +177,23 @@ impl CheckResult {
     }
 }
 
-/// Whether a run counts: it came to an end of its own, or at least to its first break.
-pub(crate) fn counts(run: &Run) -> bool {
-    let outcome = &run.outcome;
-    outcome.stop != Stop::Diverged
-        && !(outcome.stop == Stop::Cancelled && outcome.first_break.is_none())
+impl CheckResult {
+    /// The remarks on it.
+    pub(crate) fn remarks(&self) -> Vec<CheckRemark> {
+        let facts = Facts {
+            flags: &self.flags,
+            probe: None,
+            diverged: None,
+            runs: self.runs,
+            broken: self.breaks.len(),
+            slipped: self.slipped,
+            aligned: false,
+            force_error: self.force.uncertainty(),
+            error_estimate: self.quality.error_estimate,
+            fidelity: self.wanted.fidelity,
+        };
+        facts.remarks()
+    }
 }
 
 /// The worst of each figure.

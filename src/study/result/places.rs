@@ -89,7 +89,7 @@ mod tests {
             // Reference: L 3, D 1, d 0.32. Plate edges at 1.34, the punch's rim at 0.5 from its axis.
             breaks: vec![at(-1.25, 1.3), at(0.4, 0.3), at(0.0, 1.2), at(1.45, 0.1)],
             quality: Quality::default(),
-            warnings: Vec::new(),
+            flags: Vec::new(),
             later: Later::default(),
         };
         let p = Places::of(&result, &REFERENCE);

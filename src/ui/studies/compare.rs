@@ -6,9 +6,8 @@ use super::super::theme::Theme;
 use super::size;
 use crate::app::App;
 use crate::app::studies::compare::{ColumnHead, CompareView};
-use crate::case::NoValue;
 use crate::forecast::rescaled;
-use crate::forecast::warning::Weight;
+use crate::remark::Weight;
 use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
@@ -108,7 +107,7 @@ fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> S
     let kn = |v: f64| significant(to_kn(v), 3);
     let l = &r.case.layout;
     let checked = view.checked.get(row).and_then(|c| c.as_ref());
-    let forecast = r.forecast.as_ref().ok();
+    let forecast = r.forecast();
     match head {
         ColumnHead::Of(column) => match column {
             Column::Name => r.name.clone(),
@@ -120,15 +119,14 @@ fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> S
             Column::OffsetY => length(l.ey),
             Column::Force => match r.values() {
                 Ok(v) => kn(v.force),
-                Err(NoValue::PunchOnPlate) => "plate".into(),
-                Err(NoValue::Senseless(_)) => "error".into(),
+                Err(why) => why.short().into(),
             },
             Column::Deflection => r.values().map_or_else(|_| none(), |v| deflection(v.deflection)),
             Column::ForceRatio => ratio(forecast.and_then(|f| f.force_over_lab())),
             Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
             Column::Utilisation => r.utilisation().map_or_else(none, percent),
             Column::DesignDeflection => {
-                let at = r.answer.and_then(|a| a.at_force).and_then(|a| a.deflection);
+                let at = r.answer().and_then(|a| a.at_force).and_then(|a| a.deflection);
                 at.map_or_else(none, deflection)
             }
             Column::Warnings => r.weight().map_or_else(none, |w| w.word().into()),
@@ -246,14 +244,16 @@ fn governing(view: &CompareView) -> String {
         return format!("* governing: none, no layout has a value{left}");
     };
     let Some(row) = view.comparison.rows.get(g.row) else { return String::new() };
-    let by = match (g.utilisation, row.values()) {
-        (Some(u), _) => format!("the highest use, {} %", percent(u)),
+    let by = match (g.text(), row.values()) {
+        (Some(text), _) => text,
         (None, Ok(v)) => format!("the lowest force, {}; no design force set", force_text(v.force)),
         (None, Err(_)) => String::new(),
     };
     let stale = view.checked.iter().flatten().any(|c| c.stale);
     let stale = if stale { "; s: stale check" } else { "" };
-    format!("* governing {}: {by}{stale}{left}", row.name)
+    let over = view.comparison.rows.iter().filter(|row| row.over_allowed()).count();
+    let over = if over > 0 { format!("; {over} over the allowed") } else { String::new() };
+    format!("* governing {}: {by}{over}{stale}{left}", row.name)
 }
 
 /// The rows whose curves are drawn: the marked one and the first of the others.

@@ -9,7 +9,7 @@ use super::{nothing, plan};
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::design::{DesignKind, DesignLine, DesignView};
-use crate::case::{CasePoint, CaseValue, Input, NoValue, input_value};
+use crate::case::{CasePoint, CaseValue, Input, input_value};
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
@@ -130,7 +130,7 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
     let point = match &view.outcome {
         Ok(point) => point,
         Err(why) => {
-            lines.push((format!("forecast {}", no_value(why)), theme.caution));
+            lines.push((format!("forecast {}", why.sentence()), theme.caution));
             return lines;
         }
     };
@@ -146,18 +146,15 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
     let mut words = Vec::new();
     let mut bad = false;
     if let Some(at) = &a.at_force {
-        bad |= at.utilisation > 1.0;
-        let enough = if at.utilisation > 1.0 { "NOT ENOUGH: " } else { "" };
+        bad = at.trouble().is_some();
+        let trouble = at.trouble().map_or(String::new(), |trouble| format!("{trouble}: "));
         words.push(format!(
-            "{enough}use {} %, margin {}",
+            "{trouble}use {} %, margin {}",
             percent(at.utilisation),
             force_text(at.margin)
         ));
         if let Some(reached) = at.deflection {
-            let over = at.within_allowable == Some(false);
-            bad |= over;
-            let over = if over { " (over dm)" } else { "" };
-            words.push(format!("{} at load{over}", m(reached)));
+            words.push(format!("{} at load", m(reached)));
         }
     }
     if let Some(at) = &a.at_deflection {
@@ -172,13 +169,6 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
         lines.push((format!("DEM      {}", figures_text(own, unit)), theme.check));
     }
     lines
-}
-
-fn no_value(why: &NoValue) -> String {
-    match why {
-        NoValue::PunchOnPlate => "no value: the punch is on a plate".into(),
-        NoValue::Senseless(problems) => problems.first().map_or(String::new(), |p| p.to_string()),
-    }
 }
 
 /// The list: two lines an entry. Returns the place of the marked one.
@@ -282,8 +272,8 @@ fn at(input: Input, value: f64, outcome: &CaseValue, unit: LengthUnit) -> String
 /// Force and use, or why there are none.
 fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
     match outcome {
-        Ok(p) => match p.utilisation() {
-            Some(u) => format!("{}, use {} %", force_text(p.values().force), percent(u)),
+        Ok(p) => match p.answer.at_force {
+            Some(at) => format!("{}, {}", force_text(p.values().force), at.use_text()),
             None => format!(
                 "{}, delta_a {}",
                 force_text(p.values().force),

@@ -13,6 +13,7 @@ use crate::app::keymap::StudyPage;
 use crate::job::pace::duration;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;
+use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 

@@ -5,7 +5,6 @@ use super::super::theme::Theme;
 use super::{nothing, plan, value};
 use crate::app::App;
 use crate::app::studies::sensitivity::SensitivityView;
-use crate::case::NoValue;
 use crate::show::effect::{self, EffectScale};
 use crate::show::picture::Ink;
 use crate::show::tornado::{self, Moves};
@@ -85,15 +84,7 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
     let point = match &view.forecast.base {
         Ok(point) => point,
         Err(why) => {
-            let text = match why {
-                NoValue::PunchOnPlate => {
-                    "no value, and so no sensitivity: the punch is on a plate".to_string()
-                }
-                NoValue::Senseless(problems) => {
-                    problems.first().map_or(String::new(), |p| p.to_string())
-                }
-            };
-            return vec![(text, theme.caution)];
+            return vec![(why.sentence(), theme.caution)];
         }
     };
     let used = |u: Option<f64>| u.map_or(String::new(), |u| format!(", use {} %", percent(u)));
@@ -102,7 +93,7 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
         "forecast F_a {}, delta_a {}{}",
         force_text(v.force),
         m(v.deflection),
-        used(point.utilisation())
+        point.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()))
     );
     let mut lines = vec![(text, theme.forecast)];
     let text = match &view.checked.base {
@@ -120,7 +111,7 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
             Some(_) => "DEM      on its way".to_string(),
             None => "DEM      not made; c checks the layout and every step".to_string(),
         },
-        Err(why) => format!("DEM      none: {}", why.reason()),
+        Err(why) => format!("DEM      none: {}", why.sentence()),
     };
     lines.push((text, if view.coverage.stale { theme.caution } else { theme.check }));
     lines
@@ -240,7 +231,7 @@ fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style
         let steps = view.checked.bars.iter().flat_map(|bar| [&bar.lowered, &bar.raised]);
         let why = steps.filter_map(|s| s.answer.as_ref().err()).find(|e| e.code() == "impossible");
         if let Some(why) = why {
-            lines.push((format!("no: {}", why.reason()), theme.caution));
+            lines.push((format!("no: {}", why.sentence()), theme.caution));
         }
     }
     let notes = tornado::notes(&view.forecast).into_iter();

@@ -219,24 +219,24 @@ fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
         Some(Ok(point)) => {
             let v = point.values();
             let used =
-                point.utilisation().map_or(String::new(), |u| format!(", use {} %", percent(u)));
+                point.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()));
             let mark = if point.doubtful() { " !" } else { "" };
             format!("F_a {}, delta_a {}{used}{mark}", force_text(v.force), m(v.deflection))
         }
-        Some(Err(why)) => format!("no value: {}", why.short()),
+        Some(Err(why)) => why.sentence(),
         None => String::new(),
     };
     lines.push((format!("X at {}: {forecast}", place(view, unit)), theme.forecast));
     let check = match (view.figures.get(view.marked), view.answers.get(view.marked)) {
         (Some(Some(f)), _) => figures_text(f, unit),
-        (_, Some(Err(why))) if why.code() == "impossible" => format!("none: {}", why.reason()),
+        (_, Some(Err(why))) if why.code() == "impossible" => format!("none: {}", why.sentence()),
         _ => String::new(),
     };
     let coverage = view.coverage;
     let count =
         format!("{} of {} checks, {}", coverage.have, coverage.of, plan(&app.study_wanted()));
     let (text, style) = match (&view.no_dem, coverage.stale, coverage.any()) {
-        (Some(why), ..) => (format!("no DEM: {}", why.reason()), theme.text),
+        (Some(why), ..) => (format!("no DEM: {}", why.sentence()), theme.text),
         (None, true, false) => {
             ("DEM stale: of other inputs; c checks these, u undoes the edit".into(), theme.caution)
         }

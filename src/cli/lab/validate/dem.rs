@@ -10,6 +10,7 @@ use crate::lab::paper::{
 use crate::mesh::catalogue;
 use crate::show::value::{Object, Value, exact};
 use crate::units::{significant, to_kn};
+use crate::words::Choice;
 use std::fmt::Write;
 
 /// The comparison with the wires it was made with.

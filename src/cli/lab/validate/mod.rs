@@ -7,7 +7,8 @@ mod dem;
 
 use crate::case::Input;
 use crate::cli::VERSION;
-use crate::cli::check::{fidelity, threads};
+use crate::cli::check::threads;
+use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Format, Output, json, wrapped};
 use crate::dem::Fidelity;
 use crate::forecast::published::{
@@ -15,6 +16,7 @@ use crate::forecast::published::{
 };
 use crate::lab::paper::PaperOptions;
 use crate::show::value::{Object, Value};
+use crate::words::Choice;
 use clap::Args;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
@@ -26,7 +28,7 @@ pub(crate) struct ValidateArgs {
     #[arg(long)]
     dem: bool,
     /// How exactly each of our runs is computed.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", requires = "dem", value_parser = fidelity())]
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", requires = "dem", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
     /// Seed of alignments and slack of our runs.
     #[arg(long, value_name = "S", default_value_t = 0, requires = "dem")]
