@@ -37,7 +37,10 @@ fn a_setting_is_kept_in_the_config_folder_and_a_flag_stands_above_it() {
     pty.send(":set units mm\r");
     pty.wait_for("250 mm");
     let file = home.join(".config/meshcast/settings.ron");
-    assert!(fs::read_to_string(&file).unwrap().contains("units: mm"));
+    // It is written behind the screen.
+    pty.wait_until("the setting in its file", |_| {
+        fs::read_to_string(&file).is_ok_and(|text| text.contains("units: mm"))
+    });
     let mut again = Launch::meshcast().arg("--units").arg("m").env("HOME", &home).start();
     again.wait_for("0.25 m");
     again.send("q");
