@@ -12,7 +12,8 @@
 //!    then the punch moves on. This is the definition of a step.
 //! 4. The [`fast`] solver does the same in vectors, with the shortcuts that its documentation lists.
 //! 5. [`run`]: drives either of them (as a [`stepper::Stepper`]) window by window to a stated end, and
-//!    makes the [`outcome`]. [`fidelity`] says how fast. [`bifurcation`] tells when one run means nothing.
+//!    makes the [`outcome`]; [`account`] keeps its energies. [`fidelity`] says how fast.
+//!    [`bifurcation`] tells when one run means nothing.
 //!
 //! Nothing here knows a file, a clock, a terminal or a thread; progress and cancelling are a callback.
 //! The same inputs give the same bits whatever the processor, the build profile or the caller's threads:
@@ -36,6 +37,7 @@
 /// that are added and leave the old ones' results alone are no reason to raise it.
 pub const REVISION: u32 = 1;
 
+mod account;
 pub(crate) mod bifurcation;
 pub mod dome;
 pub mod fast;

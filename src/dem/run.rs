@@ -1,8 +1,8 @@
 //! Run control: drives a solver from the first touch to a stated end.
 //!
 //! A run is a sequence of *windows* of about 2 mm of punch travel, each of *blocks* of 4 steps. After
-//! a block (far from a break, after a window) broken bonds are looked for; after a window the mean forces become a point of the curve,
-//! and every two centimetres or 64 steps the kinetic energy is taken.
+//! a block (far from a break, after a window) broken bonds are looked for; after a window the mean
+//! forces become a point of the curve. Energies are kept in an [`Account`].
 //!
 //! - *Force*: 0.25 of the force on the punch and 0.75 of that on the support. Inertia enters the two
 //!   with opposite signs and nearly cancels; the weight was found on the four bench scenes (0.3 at first, less with scatter). The
@@ -13,15 +13,16 @@
 //!   at rupture) goes from 0.5 to 1, where the net is at its slowest and the break is near.
 //! - *Silent failure*: an unstable step does not blow up, it shakes one bond until that breaks, early
 //!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
-//!   bond is nearly there. Where none was above [`SUDDEN`], or a twist shook by more than [`SHAKING`], the run is repeated with 0.7 of the step;
-//!   if that breaks suddenly too, and elsewhere, and its energies do not balance to 1 %, it counts as
-//!   diverged. In every run they must balance to 2 % and half the kinetic energy.
+//!   bond is nearly there. Where none was, or a twist shook (see [`RunOutcome::sudden`]), the run is
+//!   repeated with 0.7 of the step; if that breaks suddenly too, and elsewhere, and its energies do not
+//!   balance to 1 %, it counts as diverged. In every run they must balance to 2 % and half the kinetic energy.
 //! - *Error estimate*: a part (0.35 anchored, 0.9 in the laboratory test) of the largest difference of
 //!   punch and support force before the break over the largest force, which is what inertia does and
 //!   the weighting must cancel, and never less than what the shortcuts may change. It holds nine times
 //!   in ten (`meshcast bench --convergence`). It does not see what a millimetre decides: under a punch
 //!   below 0.4 m the first break may jump between two ways of failing (see [`super::bifurcation`]).
 
+use super::account::{Account, IMBALANCE};
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
 use super::lattice::{Role, bond_of};
@@ -43,27 +44,14 @@ pub(crate) const PUNCH_WEIGHT: f64 = 0.25;
 const FIT: (f64, f64) = (0.022, 0.002);
 /// Punch travel without force after which the punch has slipped, m, and what counts as none.
 const SLIP: (f64, f64) = (0.03, 0.2);
-/// Punch travel between two looks at the utilisation, and at the kinetic energy, m.
+/// Punch travel between two looks at the utilisation, m.
 const LOOK: f64 = 0.006;
-const ACCOUNT: f64 = 0.02;
-/// Steps between two looks at the kinetic energy at most: damping takes a third of it by then.
-const SAMPLE: usize = 64;
-/// Accounts of all energies: punch travel between two, m.
-const BALANCE: f64 = 0.1;
-/// Utilisation, at the last look before a first break, below which the break was sudden.
-pub(crate) const SUDDEN: f64 = 0.7;
-/// Shaking (see [`super::outcome::Quality`]) above which a first break is not believed at once: runs
-/// of the bench scenes stay below 3, unstable ones were at 12 and more. A net that snaps from one shape
-/// to another under a small punch reaches 60; such a run is repeated, and then stands.
-pub(crate) const SHAKING: f64 = 8.0;
 /// Error over the largest difference of the forces on punch and support, anchored and laboratory: the
 /// nine tenths point of runs of random scenes with punches from 0.45 m, rounded up.
 const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
-/// Largest energy out of nowhere of a net at rest before a run counts as diverged, over the work of
-/// the punch: nearly all sound runs of random scenes stay below 0.005.
-const IMBALANCE: f64 = 0.02;
-/// The same of a run whose punch slipped through: the net snaps back faster than the kinetic energy is
-/// sampled, and what damping takes then is known less well (2.0 % and a little more in sound runs).
+/// Largest imbalance (see [`super::account`]) of a run whose punch slipped through: the net snaps back
+/// faster than the kinetic energy is sampled, and what damping takes then is known less well (2.0 % and
+/// a little more in sound runs).
 const SNAP_IMBALANCE: f64 = 0.05;
 /// Largest punch displacement over the panel's side where the caller says nothing.
 const LIMIT: f64 = 0.6;
@@ -178,26 +166,9 @@ struct Run<'a> {
     first_break: Option<Point>,
     steps: usize,
     steps_to_break: usize,
-    energy: Ledger,
+    energy: Account,
     quality: Quality,
     net: Option<Net>,
-}
-
-/// The energy account up to the first break.
-#[derive(Debug, Clone, Copy, Default)]
-struct Ledger {
-    /// Work of the punch, J.
-    work: f64,
-    /// Taken by damping, J.
-    damped: f64,
-    /// Kinetic energy when last taken, J, and the steps since.
-    kinetic: f64,
-    since: usize,
-    /// Punch travel since then, and since all energies were taken, m.
-    travelled: f64,
-    balanced: f64,
-    /// Kinetic energy over the work when last taken.
-    worst: f64,
 }
 
 impl<'a> Run<'a> {
@@ -213,7 +184,7 @@ impl<'a> Run<'a> {
             first_break: None,
             steps: 0,
             steps_to_break: 0,
-            energy: Ledger::default(),
+            energy: Account::new(),
             quality: Quality::default(),
             net: None,
         }
@@ -267,7 +238,7 @@ impl<'a> Run<'a> {
             let block = solver.advance(BLOCK, travel);
             self.steps += BLOCK;
             if self.first_break.is_none() {
-                self.energy.work += block.punch * travel * BLOCK as f64;
+                self.energy.push(block.punch, travel, BLOCK);
             }
             mean.deflection += block.deflection / blocks as f64;
             mean.punch += block.punch / blocks as f64;
@@ -289,7 +260,7 @@ impl<'a> Run<'a> {
                 }
                 if self.first_break.is_none() {
                     self.first_break(solver);
-                    if self.quality.energy_balance.abs() > self.unexplained() {
+                    if self.quality.energy_balance.abs() > self.energy.unexplained() {
                         return Some(Stop::Diverged);
                     }
                     break;
@@ -300,7 +271,7 @@ impl<'a> Run<'a> {
             return Some(Stop::Diverged);
         }
         // The window of the first break is left out: it is partly before and partly after it.
-        if !(broke && self.known.len() == self.breaks.len() && self.first_just_now(solver)) {
+        if !(broke && self.first_just_now(solver)) {
             self.points.push(mean);
         }
         self.account(solver, blocks * BLOCK, travel)
@@ -316,64 +287,29 @@ impl<'a> Run<'a> {
         if self.first_break.is_some() {
             return None;
         }
-        self.energy.since += steps;
-        self.energy.travelled += travel * steps as f64;
-        if self.energy.travelled < ACCOUNT && self.energy.since < SAMPLE {
+        if !self.energy.due(steps, travel) {
             return None;
         }
-        self.energy.balanced += self.energy.travelled;
-        self.energy.travelled = 0.0;
-        self.sample(solver);
+        self.energy.sample(solver.kinetic(), solver.damping_loss());
         // Early on the net is slack and its nodes hop about; nothing is near a break then.
         if self.quality.last_utilisation > 0.1 {
             let steps = 0.1 * solver.deflection() / travel;
             self.quality.shaking = self.quality.shaking.max(solver.shaking() * steps);
         }
-        // Motion cannot hold more than the punch has put in; a tenth of a joule is far below any test.
-        if !self.energy.kinetic.is_finite() || self.energy.kinetic > self.energy.work + 0.1 {
+        if self.energy.ran_away() {
             return Some(Stop::Diverged);
         }
-        if self.energy.balanced > BALANCE {
-            self.energy.balanced = 0.0;
-            if self.unbalanced(self.imbalance(solver)) {
-                return Some(Stop::Diverged);
-            }
-        }
-        None
+        let out_of_balance = self.energy.balance_due()
+            && self.energy.imbalance(&solver.energies()).is_some_and(|i| self.energy.unbalanced(i));
+        out_of_balance.then_some(Stop::Diverged)
     }
 
-    /// Takes the kinetic energy and what damping took since the last time.
-    fn sample(&mut self, solver: &dyn Stepper) {
-        let kinetic = solver.kinetic();
-        let mean = 0.5 * (kinetic + self.energy.kinetic);
-        self.energy.damped +=
-            solver.damping_loss().unwrap_or(f64::NAN) * mean * self.energy.since as f64;
-        self.energy.kinetic = kinetic;
-        self.energy.since = 0;
-        self.energy.worst = kinetic / self.energy.work.max(1.0);
-    }
-
-    /// Work of the punch that is found in no energy, over that work; 0 where damping is not accounted.
-    fn imbalance(&self, solver: &dyn Stepper) -> f64 {
-        let e = solver.energies();
-        let found = e.bonds + e.kinetic + e.contact + self.energy.damped;
-        let part = (self.energy.work - found) / self.energy.work.max(1.0e-9);
-        if self.energy.damped.is_nan() && found.is_nan() && e.bonds.is_finite() {
-            0.0
-        } else {
-            part
-        }
-    }
-
-    /// Largest imbalance that is believed: what damping takes is summed up from kinetic energies some
-    /// steps apart, so a net in motion may have a part of that energy more.
-    fn unexplained(&self) -> f64 {
-        IMBALANCE + 0.5 * self.energy.worst
-    }
-
-    /// Whether an imbalance is more than that, and more than a joule.
-    fn unbalanced(&self, imbalance: f64) -> bool {
-        imbalance.abs() * self.energy.work > self.unexplained() * self.energy.work + 1.0
+    /// Takes all energies, as the last entry of the account. Where damping is not accounted nothing is
+    /// said against the run.
+    fn close_account(&mut self, solver: &dyn Stepper) {
+        self.energy.sample(solver.kinetic(), solver.damping_loss());
+        let imbalance = self.energy.imbalance(&solver.energies());
+        self.quality.energy_balance = imbalance.unwrap_or(0.0);
     }
 
     /// Records the first break.
@@ -381,8 +317,7 @@ impl<'a> Run<'a> {
         self.steps_to_break = self.steps;
         let at = solver.deflection();
         self.first_break = Some(Point { deflection: at, force: self.force_at(at) });
-        self.sample(solver);
-        self.quality.energy_balance = self.imbalance(solver);
+        self.close_account(solver);
         if self.controls.keep_net {
             self.net = Some(self.drawn(solver));
         }
@@ -461,11 +396,10 @@ impl<'a> Run<'a> {
     fn finish(mut self, mut stop: Stop, solver: &dyn Stepper) -> RunOutcome {
         if self.first_break.is_none() {
             self.steps_to_break = self.steps;
-            self.sample(solver);
-            self.quality.energy_balance = self.imbalance(solver);
+            self.close_account(solver);
             let balance = self.quality.energy_balance;
             let snapped = stop == Stop::Slipped && balance.abs() < SNAP_IMBALANCE;
-            if self.unbalanced(balance) && !snapped {
+            if self.energy.unbalanced(balance) && !snapped {
                 stop = Stop::Diverged;
             }
             if self.controls.keep_net {
@@ -481,7 +415,7 @@ impl<'a> Run<'a> {
         let gap = before.iter().map(|p| (p.punch - p.support).abs()).fold(0.0, f64::max);
         let late = before.iter().filter(|p| p.deflection > 0.75 * reached);
         let (punch, support) = late.fold((0.0, 0.0), |s, p| (s.0 + p.punch, s.1 + p.support));
-        self.quality.kinetic_over_internal = self.energy.worst;
+        self.quality.kinetic_over_internal = self.energy.kinetic_over_work();
         self.quality.support_over_punch = if punch > 0.0 { support / punch } else { 0.0 };
         let to_error = GAP_TO_ERROR[usize::from(self.scene.spec.test == Test::Laboratory)];
         self.quality.error_estimate =
@@ -497,7 +431,7 @@ impl<'a> Run<'a> {
             k75: stiffness_at_75(&before, self.first_break.unwrap_or(peak).force),
             breaks: self.breaks,
             peak,
-            energy: self.energy.work,
+            energy: self.energy.work(),
             curve,
             punch: self.points.iter().map(|p| p.punch).collect(),
             support: self.points.iter().map(|p| p.support).collect(),

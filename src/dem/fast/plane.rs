@@ -18,7 +18,7 @@ impl<R: Copy> Plane<R> {
     pub(super) fn new(value: R, len: usize) -> Plane<R> {
         let spare = LINE / size_of::<R>();
         let all = vec![value; len + spare];
-        // Where the allocator's alignment is below the number's own size this cannot be; 0 is right then.
+        // Where no place is aligned any start is right.
         let start = all.as_ptr().align_offset(LINE).min(spare);
         Plane { all, start, len }
     }
