@@ -58,7 +58,7 @@ pub(crate) struct PairModes {
 
 impl PairModes {
     /// The modes of a pair.
-    pub(crate) fn of(pair: &PairInertia) -> PairModes {
+    pub(crate) fn new(pair: &PairInertia) -> PairModes {
         match pair.own.map(|own| own > 0.0) {
             [true, true] => PairModes {
                 sum: 0.25 / (pair.own[0] + pair.cross),

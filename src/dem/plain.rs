@@ -310,7 +310,7 @@ impl Stepper for Plain {
             .enumerate()
             .map(|(pair, m)| {
                 let seen = |v: [f64; 3]| [v[0], v[1], v[2] * flat.sqrt()];
-                inertia::PairModes::of(m)
+                inertia::PairModes::new(m)
                     .kinetic(seen(self.velocity[2 * pair]), seen(self.velocity[2 * pair + 1]))
             })
             .sum()

@@ -64,15 +64,15 @@ impl Eigenvalues {
             });
             let stiffness = |number: usize| kinds[bond_of(number).1 as usize];
             let inertia = pairs(&lattice, &[[false; 2]; PIECE * PIECE], &stiffness, factors);
-            return Eigenvalues::of(&lattice, &inertia, &stiffness);
+            return Eigenvalues::from_parts(&lattice, &inertia, &stiffness);
         }
         let stiffness = stiffest(scene, unloading);
         let inertia = pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], factors);
-        Eigenvalues::of(&scene.lattice, &inertia, &|k| stiffness[k])
+        Eigenvalues::from_parts(&scene.lattice, &inertia, &|k| stiffness[k])
     }
 
     /// Of a net with this inertia and these stiffnesses of bonds, N/m.
-    pub(crate) fn of(
+    fn from_parts(
         lattice: &Lattice,
         inertia: &[PairInertia],
         stiffness: &dyn Fn(usize) -> f64,

@@ -111,7 +111,7 @@ fn notes(
         significant(to_kj(v.energy), 3)
     ));
     if !v.breaks.is_empty() && !stale {
-        let places = Places::of(v, &case.entry.layout);
+        let places = Places::from_result(v, &case.entry.layout);
         notes.push(format!(
             "the first wire broke at: {}; double twists: {} of {}",
             places.text(),

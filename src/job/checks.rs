@@ -115,11 +115,11 @@ impl Checks {
         let mut runs = seen.runs.clone();
         runs.sort_by_key(|(k, _)| *k);
         let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
-        let relief = net.map(|net| Relief::of(net, target.case.layout.spacing));
+        let relief = net.map(|net| Relief::from_net(net, target.case.layout.spacing));
         let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
         let wire = wires(&target.case.mesh).ok()?;
         let inputs = fingerprint(&target.case.layout, wire, &self.wanted);
-        let mut result = CheckResult::of(&ensemble, &self.wanted, inputs);
+        let mut result = CheckResult::from_ensemble(&ensemble, &self.wanted, inputs);
         // A first run goes on behind its break; the mean of several does not, and the chart would jump.
         if let Some(end) = result.curve.failure {
             let before = result.curve.points().filter(|p| p.deflection <= end.deflection).count();

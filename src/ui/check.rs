@@ -52,7 +52,7 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     };
     lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
     lines.extend(later.iter().map(|r| (format!(" {}", r.short()), theme.caution)));
-    let places = Places::of(result, &app.layout().layout).text();
+    let places = Places::from_result(result, &app.layout().layout).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));
     }

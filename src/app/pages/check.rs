@@ -63,7 +63,7 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     page.row("peak", &format!("{} at {}", force_text(v.peak.force), m(v.peak.deflection)));
     page.row("stiffness at 75 %", &format!("{} kN/m", significant(to_kn(v.k75), 3)));
     page.row("energy to the first break", &format!("{} kJ", significant(to_kj(v.energy), 3)));
-    let places = Places::of(v, &app.layout().layout);
+    let places = Places::from_result(v, &app.layout().layout);
     if !v.breaks.is_empty() && !shown.stale() {
         page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
     }

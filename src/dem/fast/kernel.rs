@@ -182,7 +182,7 @@ struct Planes<R> {
 }
 
 impl<R: Real> Planes<R> {
-    fn of(state: &mut NetState<R>) -> Planes<R> {
+    fn new(state: &mut NetState<R>) -> Planes<R> {
         Planes {
             moved: state.moved.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             velocity: state.velocity.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
@@ -251,7 +251,7 @@ pub(crate) unsafe fn step<L: Lanes, const UNIFORM: bool>(
         }
     }
     let step = Step::<L> {
-        planes: Planes::of(state),
+        planes: Planes::new(state),
         kinds: &state.kinds,
         rest: state.rest,
         along: &state.along,

@@ -92,7 +92,7 @@ impl<R: Kernel> Fast<R> {
         let stiffness = stiffest(scene, unloading);
         let inertia =
             inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
-        let modes = inertia.iter().map(PairModes::of).collect();
+        let modes = inertia.iter().map(PairModes::new).collect();
         let mut state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
         // Nothing was marked before, and nothing can have been missed.
         let first = reach::search(&mut state, scene.dome.reach());

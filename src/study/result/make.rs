@@ -78,9 +78,9 @@ pub fn make(
     let progress = |now: EnsembleProgress| tell(Told::Progress(now));
     let ensemble = ensemble::run_watched(&spec, &controls, &plan, &progress, &finished)?;
     let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
-    let relief = first.map(|net| Relief::of(net, layout.spacing));
+    let relief = first.map(|net| Relief::from_net(net, layout.spacing));
     let inputs = of_ensemble(&spec, &controls, &plan);
-    Ok(Made { result: CheckResult::of(&ensemble, wanted, inputs), relief })
+    Ok(Made { result: CheckResult::from_ensemble(&ensemble, wanted, inputs), relief })
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ const BEFORE: usize = 49;
 
 /// Mean curve of the runs that broke, or where none did of all, each up to its peak; and its band,
 /// empty where there is only one run.
-pub(crate) fn of(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
+pub(crate) fn curve(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
     let broke: Vec<&RunOutcome> =
         runs.iter().map(|run| &run.outcome).filter(|o| o.first_break.is_some()).collect();
     let slipped = broke.is_empty();

@@ -121,9 +121,13 @@ pub struct CheckResult {
 
 impl CheckResult {
     /// The result on an ensemble, or on what there is of one.
-    pub(crate) fn of(ensemble: &Ensemble, wanted: &Wanted, inputs: Fingerprint) -> CheckResult {
+    pub(crate) fn from_ensemble(
+        ensemble: &Ensemble,
+        wanted: &Wanted,
+        inputs: Fingerprint,
+    ) -> CheckResult {
         let runs: Vec<&Run> = ensemble.runs.iter().filter(|run| counts(run)).collect();
-        let (curve, band) = mean::of(&runs);
+        let (curve, band) = mean::curve(&runs);
         let force = |v: f64| from_kn(rounded(to_kn(v)));
         let spread = |s: &Spread, round: &dyn Fn(f64) -> f64| Spread {
             mean: round(s.mean),

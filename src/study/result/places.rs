@@ -25,7 +25,7 @@ pub(crate) struct Places {
 
 impl Places {
     /// Of a result on this layout.
-    pub(crate) fn of(result: &CheckResult, layout: &Layout) -> Places {
+    pub(crate) fn from_result(result: &CheckResult, layout: &Layout) -> Places {
         let mut places = Places::default();
         let half = layout.spacing / 2.0;
         let (ex, ey) = layout.folded();
@@ -92,12 +92,12 @@ mod tests {
             flags: Vec::new(),
             later: Later::default(),
         };
-        let p = Places::of(&result, &REFERENCE);
+        let p = Places::from_result(&result, &REFERENCE);
         assert_eq!((p.plate, p.punch, p.between, p.twists), (1, 1, 2, 2));
         assert_eq!(p.text(), "plate 1, punch 1, between 2");
         // A punch at the cell's right edge reaches into the next cell, from the left edge in.
         let edge = Layout { ex: 1.4, ..REFERENCE };
-        let p = Places::of(&result, &edge);
+        let p = Places::from_result(&result, &edge);
         assert_eq!((p.plate, p.punch, p.between), (1, 1, 2));
     }
 }

@@ -21,7 +21,7 @@ pub struct Relief {
 impl Relief {
     /// The shape of `net` on a panel of this side: each cell of the grid takes the mean height of the
     /// nodes in it; where there are none, of the cells around that have some.
-    pub(crate) fn of(net: &Net, side: f64) -> Relief {
+    pub(crate) fn from_net(net: &Net, side: f64) -> Relief {
         let mut sum = vec![0.0; CELLS * CELLS];
         let mut count = vec![0.0; CELLS * CELLS];
         let cell = |v: f64| {
@@ -95,7 +95,7 @@ mod tests {
                 nodes.push([x, y, 0.1 * x + 0.02 * y]);
             }
         }
-        let relief = Relief::of(&Net { nodes, bonds: Vec::new(), deflection: 0.3 }, 3.0);
+        let relief = Relief::from_net(&Net { nodes, bonds: Vec::new(), deflection: 0.3 }, 3.0);
         for (x, y) in [(0.0, 0.0), (-1.0, 0.7), (1.2, -1.2)] {
             let plane = 0.1 * (x + 1.5) + 0.02 * (y + 1.5);
             // A node is up to a cell (0.0625 m) from where its height is taken to be.

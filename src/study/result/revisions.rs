@@ -119,7 +119,7 @@ mod tests {
         ));
         for runs in [1, 7] {
             let ensemble = ensemble::summary((0..runs).map(canned).collect());
-            let r = CheckResult::of(&ensemble, &Wanted::default(), Fingerprint(0));
+            let r = CheckResult::from_ensemble(&ensemble, &Wanted::default(), Fingerprint(0));
             let mut print = Fingerprinter::new("sampling");
             for s in [&r.force, &r.deflection] {
                 print = [s.mean, s.deviation, s.error, s.band[0], s.band[1]]
