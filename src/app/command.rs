@@ -3,7 +3,6 @@
 use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Command;
-use crate::project::schema::LONGEST_NAME;
 use crate::units::LengthUnit;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +28,7 @@ impl App {
             "w!" => return Ok(self.save(path_of(rest), true)),
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
-            "q!" => return Ok(self.quit(Some(self.project.clone()))),
+            "q!" => return Ok(self.quit(Some(self.project().clone()))),
             "export" => return self.export_command(rest, false),
             "export!" => return self.export_command(rest, true),
             "check" => match rest {
@@ -40,23 +39,23 @@ impl App {
             "fidelity" | "runs" | "live" => return self.set_command(text),
             "undo" => self.undo(),
             "redo" => self.redo(),
-            "help" | "h" => self.toggle_help(),
-            "name" | "site" => self.name_project(word, rest)?,
-            "mesh" => self.set_mesh(rest)?,
+            "help" | "h" => self.screen.toggle_help(),
+            "name" | "site" => self.editor.name_project(word, rest)?,
+            "mesh" => self.editor.set_mesh(rest)?,
             "units" => match rest {
-                "m" => self.set_units(LengthUnit::Metre),
-                "mm" => self.set_units(LengthUnit::Millimetre),
+                "m" => self.editor.set_units(LengthUnit::Metre),
+                "mm" => self.editor.set_units(LengthUnit::Millimetre),
                 _ => return Err("units m or units mm".into()),
             },
             "glyphs" => match rest {
-                "braille" => self.look.glyphs = Glyphs::Braille,
-                "block" => self.look.glyphs = Glyphs::Block,
-                "ascii" => self.look.glyphs = Glyphs::Ascii,
+                "braille" => self.screen.set_glyphs(Glyphs::Braille),
+                "block" => self.screen.set_glyphs(Glyphs::Block),
+                "ascii" => self.screen.set_glyphs(Glyphs::Ascii),
                 _ => return Err("glyphs braille, block or ascii".into()),
             },
             "color" | "colour" => match rest {
-                "16" => self.look.color = ColorMode::Basic16,
-                "none" => self.look.color = ColorMode::None,
+                "16" => self.screen.set_color(ColorMode::Basic16),
+                "none" => self.screen.set_color(ColorMode::None),
                 _ => return Err("color 16 or color none".into()),
             },
             "tour" => self.start_tour(),
@@ -64,28 +63,14 @@ impl App {
             "open" | "e" => return Ok(self.ask_to_open(Path::new(rest))),
             "set" => return self.set_command(rest),
             _ => match word.parse::<usize>() {
-                Ok(n) if rest.is_empty() && (1..=self.project.layouts.len()).contains(&n) => {
-                    self.selected = n - 1;
+                Ok(n) if rest.is_empty() && (1..=self.editor.layouts().len()).contains(&n) => {
+                    self.editor.select(n - 1);
                 }
-                Ok(_) => return Err(format!("layouts are 1 to {}", self.project.layouts.len())),
+                Ok(_) => return Err(format!("layouts are 1 to {}", self.editor.layouts().len())),
                 Err(_) => return Err(format!("no command {word:?}; ? lists them")),
             },
         }
         Ok(Vec::new())
-    }
-
-    fn name_project(&mut self, word: &str, text: &str) -> Result<(), String> {
-        if text.is_empty() && word == "name" {
-            return Err("a project needs a name".into());
-        }
-        if text.chars().count() > LONGEST_NAME {
-            return Err(format!("at most {LONGEST_NAME} characters"));
-        }
-        self.edit(format!("{word} of the project"), |project| match word {
-            "name" => project.name = text.to_string(),
-            _ => project.site = text.to_string(),
-        });
-        Ok(())
     }
 }
 

@@ -1,179 +1,82 @@
 //! The state of the interactive program: what it holds, what a key does to it, undo. No input or
 //! output happens here; [`message`] says what comes in and what is asked to be done.
 //!
-//! - [`keymap`]: which key means what where.
-//! - [`update`]: what each message does; [`edit`]: edits of the list of layouts; [`entry`]: the line
-//!   of text being typed; [`command`]: the `:` line; [`history`]: undo and redo.
-//! - [`pasted`]: what comes from a clipboard, marked as such or not.
-//! - [`checks`]: checks by simulation: what runs, which results there are, whether they are stale.
-//! - [`studies`]: the pages of studies and the checks behind them.
-//! - [`settings`]: what the user decided for all projects; [`open`]: opening another project, found
-//!   by typed letters ([`fuzzy`]); [`copy`]: what goes to the clipboard; [`tour`]: the first run.
-//! - [`derived`]: forecast and design answer of every layout, made anew after each edit.
+//! The state has parts, each with fields of its own that nobody else writes:
+//!
+//! - [`editor`]: the project, its history and what follows from it, and what is selected.
+//! - [`work`]: checks behind the screen, what runs and which results there are; [`studies`]: the pages.
+//! - [`screen`]: what lies over the main screen, and what the bottom line says.
+//! - [`settings`]: what the user decided for all projects; [`file_work`]: files being read and written.
+//!
+//! [`App`] puts them together. What a message does to them stands in [`update`], with [`command`] for the
+//! `:` line, [`pasted`], [`saving`], [`open`], [`output`], [`checking`], [`copy`] and [`tour`]; the texts
+//! of help and details in [`pages`]. [`keymap`] says which key means what where, [`entry`] is the line of
+//! text being typed, [`picker`] the list of projects, searched by [`fuzzy`].
 
-pub mod checks;
+mod checking;
 pub(crate) mod command;
 pub(crate) mod copy;
 pub(crate) mod derived;
-pub(crate) mod edit;
+mod editor;
 pub(crate) mod entry;
-pub(crate) mod fuzzy;
-pub(crate) mod history;
+mod file_work;
+mod fuzzy;
 pub mod key;
 pub mod keymap;
 pub mod look;
 pub mod message;
-pub mod open;
-pub(crate) mod output;
+mod open;
+mod output;
 pub(crate) mod pages;
-pub(crate) mod pasted;
-pub(crate) mod saving;
+mod pasted;
+pub(crate) mod picker;
+mod saving;
+mod screen;
 pub mod settings;
+mod status;
 pub(crate) mod studies;
 pub mod tour;
-pub(crate) mod update;
+mod update;
+pub mod work;
+
+pub use screen::Mode;
+pub use status::{Level, Status};
 
 use crate::case::Input;
+use crate::curve::Point;
 use crate::project::schema::{NamedLayout, Project};
+use crate::study::result::Wanted;
 use crate::units::LengthUnit;
-use checks::Work;
 use derived::LayoutResult;
-use entry::LineEntry;
-use history::{History, HistoryStep};
-use keymap::Context;
+use editor::{Editor, History, MeshChoice};
+use entry::Slot;
+use file_work::FileWork;
+use keymap::{Context, StudyPage};
 use look::Look;
-use saving::{FileWork, Then};
+use message::Command;
+use screen::Screen;
+use settings::preferences::Choices;
 use settings::{Preferences, Settings};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use studies::Studies;
-
-/// What lies over the main screen.
-#[derive(Debug, Clone)]
-pub enum Mode {
-    /// Nothing.
-    Main,
-    /// A line of text is being typed.
-    Entry(LineEntry),
-    /// The help, scrolled down by so many lines.
-    Help {
-        /// First line shown.
-        scroll: usize,
-    },
-    /// All warnings and numbers of the selected layout.
-    Details {
-        /// First line shown.
-        scroll: usize,
-    },
-    /// The list of meshes with one marked.
-    MeshPicker {
-        /// The marked one, an index of [`App::meshes`].
-        index: usize,
-    },
-    /// The list of what can be written, with one marked.
-    Export {
-        /// The marked one, an index of [`crate::export::ExportKind::ALL`].
-        index: usize,
-    },
-    /// Quit with unsaved edits?
-    ConfirmQuit,
-    /// Replace a file that changed on disk, or that exists?
-    ConfirmOverwrite {
-        /// The other file to save to, or the project's own.
-        path: Option<PathBuf>,
-        /// What was to follow the save.
-        then: Option<Then>,
-    },
-    /// The list of settings with one marked.
-    Settings {
-        /// The marked one, an index of [`settings::SettingItem::ALL`].
-        index: usize,
-    },
-    /// Which project to open.
-    Open(open::Picker),
-    /// Open another project with unsaved edits in this one?
-    ConfirmOpen {
-        /// The other project's file.
-        path: PathBuf,
-    },
-    /// A screen of the tour.
-    Tour {
-        /// Which one, an index of [`tour::stops`].
-        stop: usize,
-    },
-    /// A page of a study.
-    Study(keymap::StudyPage),
-    /// Take back edits kept from a session that was cut off?
-    ConfirmRecovery {
-        /// The kept project.
-        kept: Arc<Project>,
-    },
-}
-
-impl Mode {
-    /// The screen whose keys hold now; none while text is typed.
-    fn context(&self) -> Option<Context> {
-        Some(match self {
-            Mode::Main => Context::Main,
-            Mode::Entry(_) => return None,
-            Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
-            Mode::MeshPicker { .. } => Context::MeshPicker,
-            Mode::Study(page) => page.context(),
-            Mode::Export { .. } => Context::Export,
-            Mode::ConfirmQuit => Context::ConfirmQuit,
-            Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
-            Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
-            Mode::Settings { .. } => Context::Settings,
-            Mode::Open(_) => Context::Open,
-            Mode::ConfirmOpen { .. } => Context::ConfirmOpen,
-            Mode::Tour { .. } => Context::Tour,
-        })
-    }
-}
-
-/// How loud a message is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Level {
-    /// Something went as asked.
-    Info,
-    /// Something was refused or failed.
-    Error,
-}
-
-/// The message in the bottom line, until the next key.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Status {
-    /// How loud.
-    pub level: Level,
-    /// What it says.
-    pub text: String,
-}
+use studies::compare::{ColumnHead, CompareView};
+use studies::design::DesignView;
+use studies::sensitivity::SensitivityView;
+use studies::sweep::SweepView;
+use work::campaign::RunningCampaign;
+use work::shown::ShownCheck;
+use work::{RunningCheck, Work};
 
 /// The whole state.
 #[derive(Debug)]
 pub struct App {
-    project: Arc<Project>,
-    saved: Arc<Project>,
-    path: Option<PathBuf>,
-    history: History,
-    selected: usize,
-    field: Input,
-    mode: Mode,
-    status: Option<Status>,
-    results: Vec<LayoutResult>,
-    look: Look,
-    /// A unit asked for on the command line: it is not the project's and never saved.
-    units: Option<LengthUnit>,
-    size: (u16, u16),
-    dirty: bool,
-    files: FileWork,
-    /// What the help lies over; it comes back when the help is closed.
-    under_help: Box<Mode>,
+    editor: Editor,
     work: Work,
     studies: Studies,
-    preferences: Preferences,
-    /// The settings that hold: the kept ones with the flags of this run over them.
-    settings: Settings,
+    screen: Screen,
+    choices: Choices,
+    files: FileWork,
 }
 
 /// What a program starts with.
@@ -200,186 +103,259 @@ pub struct Start {
 impl App {
     /// The state at the start.
     pub fn new(start: Start) -> App {
-        let level = if start.preferences.trouble.is_some() { Level::Error } else { Level::Info };
+        let trouble = start.preferences.trouble.is_some();
+        let status = start.note.map(if trouble { Status::error } else { Status::info });
         let mut app = App {
-            saved: start.project.clone(),
-            project: start.project,
-            path: start.path,
-            history: History::default(),
-            selected: 0,
-            field: Input::Plate,
-            mode: Mode::Main,
-            status: start.note.map(|text| Status { level, text }),
-            results: Vec::new(),
-            look: start.look,
-            units: start.units,
-            size: start.size,
-            dirty: true,
-            files: FileWork::default(),
-            under_help: Box::new(Mode::Main),
+            editor: Editor::new(start.project, start.path, start.units),
             work: Work::default(),
             studies: Studies::default(),
-            settings: start.preferences.effective(),
-            preferences: start.preferences,
+            screen: Screen::new(start.look, start.size, status),
+            choices: Choices::new(start.preferences),
+            files: FileWork::default(),
         };
         if let Some(kept) = start.kept {
-            app.mode = Mode::ConfirmRecovery { kept };
-        } else if app.preferences.tour {
+            app.screen.show(Mode::ConfirmRecovery { kept });
+        } else if app.preferences().tour {
             app.start_tour();
         }
-        app.derive();
         app
     }
 
+    fn inform(&mut self, text: impl Into<String>) {
+        self.screen.say(Status::info(text));
+    }
+
+    fn complain(&mut self, text: impl Into<String>) {
+        self.screen.say(Status::error(text));
+    }
+
+    /// Says how something went.
+    fn tell(&mut self, said: Result<String, String>) {
+        self.screen.say(said.map_or_else(Status::error, Status::info));
+    }
+
+    fn undo(&mut self) {
+        let said = self.editor.undo();
+        self.inform(said);
+    }
+
+    fn redo(&mut self) {
+        let said = self.editor.redo();
+        self.inform(said);
+    }
+
+    /// A live check, if one should follow what was done.
+    fn follow_edit(&mut self) -> Option<Command> {
+        if self.live() { self.work.follow_edit(&self.editor) } else { None }
+    }
+
+    /// Makes what the open page shows anew.
+    fn follow_page(&mut self) {
+        if let Some(page) = self.screen.page() {
+            let runs = self.choices.settings().runs;
+            self.studies.follow(page, &self.editor, &self.work, runs);
+        }
+    }
+}
+
+/// The project.
+impl App {
     /// The project as it stands.
     pub fn project(&self) -> &Arc<Project> {
-        &self.project
+        self.editor.project()
     }
 
     /// Its file, if it has one.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
+        self.editor.path()
     }
 
     /// Whether there are edits that are not saved.
     pub fn edited(&self) -> bool {
-        !Arc::ptr_eq(&self.project, &self.saved) && *self.project != *self.saved
-    }
-
-    /// Index of the selected layout; there always is one.
-    pub fn selected(&self) -> usize {
-        self.selected
-    }
-
-    /// The selected layout.
-    pub fn layout(&self) -> &NamedLayout {
-        &self.project.layouts[self.selected]
-    }
-
-    /// The selected input.
-    pub fn field(&self) -> Input {
-        self.field
-    }
-
-    /// What lies over the main screen.
-    pub fn mode(&self) -> &Mode {
-        &self.mode
-    }
-
-    /// The message of the bottom line.
-    pub fn status(&self) -> Option<&Status> {
-        self.status.as_ref()
-    }
-
-    /// Forecast and design answer of each layout, in the order of the list.
-    pub(crate) fn results(&self) -> &[LayoutResult] {
-        &self.results
-    }
-
-    /// Forecast and design answer of the selected layout.
-    pub fn result(&self) -> &LayoutResult {
-        &self.results[self.selected]
-    }
-
-    /// The look of the screen.
-    pub(crate) fn look(&self) -> Look {
-        self.look
-    }
-
-    /// Unit of lengths on the screen.
-    pub fn units(&self) -> LengthUnit {
-        self.units.unwrap_or(self.project.display.length_unit)
-    }
-
-    /// Columns and rows of the terminal.
-    pub fn size(&self) -> (u16, u16) {
-        self.size
-    }
-
-    /// The history of edits.
-    pub fn history(&self) -> &History {
-        &self.history
-    }
-
-    /// The screen whose keys hold now; none while text is typed.
-    pub(crate) fn context(&self) -> Option<Context> {
-        self.mode.context()
-    }
-
-    /// Whether something was asked to be drawn since this was asked last.
-    pub(crate) fn take_dirty(&mut self) -> bool {
-        std::mem::take(&mut self.dirty)
+        self.editor.edited()
     }
 
     /// The project, if it has edits that are not saved.
     pub fn unsaved(&self) -> Option<Arc<Project>> {
-        self.edited().then(|| self.project.clone())
+        self.edited().then(|| self.project().clone())
     }
 
-    fn inform(&mut self, text: impl Into<String>) {
-        self.status = Some(Status { level: Level::Info, text: text.into() });
+    /// Index of the selected layout; there always is one.
+    pub fn selected(&self) -> usize {
+        self.editor.selected()
     }
 
-    fn complain(&mut self, text: impl Into<String>) {
-        self.status = Some(Status { level: Level::Error, text: text.into() });
+    /// The selected layout.
+    pub fn layout(&self) -> &NamedLayout {
+        self.editor.layout()
     }
 
-    /// Makes the forecasts anew.
-    fn derive(&mut self) {
-        self.selected = self.selected.min(self.project.layouts.len().saturating_sub(1));
-        self.results = derived::all(&self.project);
+    /// The selected input.
+    pub fn field(&self) -> Input {
+        self.editor.field()
     }
 
-    /// The present as a step of the history.
-    fn step(&self, label: String) -> HistoryStep {
-        HistoryStep {
-            project: self.project.clone(),
-            selected: self.selected,
-            field: self.field,
-            label,
-        }
+    /// What follows from each layout, in the order of the list.
+    pub(crate) fn results(&self) -> &[LayoutResult] {
+        self.editor.results()
     }
 
-    /// Makes an edit that can be undone. An edit that changes nothing leaves no trace.
-    fn edit(&mut self, label: impl Into<String>, change: impl FnOnce(&mut Project)) {
-        let mut project = (*self.project).clone();
-        change(&mut project);
-        if project != *self.project {
-            let before = self.step(label.into());
-            self.history.record(before);
-            self.project = Arc::new(project);
-            self.derive();
-        }
+    /// What follows from the selected layout.
+    pub fn result(&self) -> &LayoutResult {
+        self.editor.result()
     }
 
-    fn undo(&mut self) {
-        let (project, selected, field) = (self.project.clone(), self.selected, self.field);
-        match self.history.undo(|label| HistoryStep { project, selected, field, label }) {
-            Some(step) => {
-                let left = self.history.undo_depth();
-                self.inform(format!("undone: {} ({left} more)", step.label));
-                self.go_to(step);
-            }
-            None => self.inform("nothing to undo"),
-        }
+    /// Unit of lengths on the screen.
+    pub fn units(&self) -> LengthUnit {
+        self.editor.units()
     }
 
-    fn redo(&mut self) {
-        let (project, selected, field) = (self.project.clone(), self.selected, self.field);
-        match self.history.redo(|label| HistoryStep { project, selected, field, label }) {
-            Some(step) => {
-                let left = self.history.redo_depth();
-                self.inform(format!("redone: {} ({left} more)", step.label));
-                self.go_to(step);
-            }
-            None => self.inform("nothing to redo"),
-        }
+    /// The history of edits.
+    pub fn history(&self) -> &History {
+        self.editor.history()
     }
 
-    fn go_to(&mut self, step: HistoryStep) {
-        self.project = self.with_checks(step.project);
-        self.selected = step.selected;
-        self.field = step.field;
-        self.derive();
+    /// The meshes to choose from: the project's own first, then the catalogue.
+    pub(crate) fn meshes(&self) -> Vec<MeshChoice> {
+        self.editor.meshes()
+    }
+}
+
+/// The screen and the settings.
+impl App {
+    /// What lies over the main screen.
+    pub fn mode(&self) -> &Mode {
+        self.screen.mode()
+    }
+
+    /// The page of a study that is open, also while a text for it is typed.
+    pub fn page_open(&self) -> Option<StudyPage> {
+        self.screen.page()
+    }
+
+    /// The screen whose keys hold now; none while text is typed.
+    pub(crate) fn context(&self) -> Option<Context> {
+        self.mode().context()
+    }
+
+    /// The message of the bottom line.
+    pub fn status(&self) -> Option<&Status> {
+        self.screen.status()
+    }
+
+    /// The look of the screen.
+    pub(crate) fn look(&self) -> Look {
+        self.screen.look()
+    }
+
+    /// Columns and rows of the terminal.
+    pub fn size(&self) -> (u16, u16) {
+        self.screen.size()
+    }
+
+    /// Whether something was asked to be drawn since this was asked last.
+    pub(crate) fn take_dirty(&mut self) -> bool {
+        self.screen.take_dirty()
+    }
+
+    /// The settings that hold in this session, flags included.
+    pub fn settings(&self) -> &Settings {
+        self.choices.settings()
+    }
+
+    /// Where the settings come from.
+    pub fn preferences(&self) -> &Preferences {
+        self.choices.preferences()
+    }
+}
+
+/// Checks.
+impl App {
+    /// Whether a quick check follows each edit.
+    pub(crate) fn live(&self) -> bool {
+        self.settings().live
+    }
+
+    /// The result of a layout that the project keeps, and whether it is current.
+    pub fn kept_check(&self, index: usize) -> Option<ShownCheck<'_>> {
+        self.work.kept(&self.editor, index)
+    }
+
+    /// The result to show for the selected layout.
+    pub fn shown_check(&self) -> Option<ShownCheck<'_>> {
+        self.work.shown(&self.editor, self.live())
+    }
+
+    /// Why there is no live result for the selected layout.
+    pub(crate) fn live_refusal(&self) -> Option<&str> {
+        self.work.live_refusal(self.layout().uid).filter(|_| self.live())
+    }
+
+    /// Whether a live check is under way.
+    pub(crate) fn live_running(&self) -> bool {
+        self.work.live_running()
+    }
+
+    /// The order of the user's that runs.
+    pub fn running(&self) -> Option<&RunningCheck> {
+        self.work.running()
+    }
+
+    /// The curves of the selected layout's runs as far as they have come.
+    pub(crate) fn growing(&self) -> &[Vec<Point>] {
+        self.work.growing(self.layout().uid)
+    }
+
+    /// The campaign that runs.
+    pub fn campaign(&self) -> Option<&RunningCampaign> {
+        self.work.campaign()
+    }
+}
+
+/// Studies. What a page shows is there while it is open and the layout's mesh is known.
+impl App {
+    /// What studies ask of each check.
+    pub(crate) fn study_wanted(&self) -> Wanted {
+        self.studies.wanted(self.settings().runs)
+    }
+
+    /// The sensitivity.
+    pub fn sensitivity(&self) -> Option<&SensitivityView> {
+        self.studies.sensitivity().view()
+    }
+
+    /// The sweep.
+    pub fn sweep(&self) -> Option<&SweepView> {
+        self.studies.sweep().view()
+    }
+
+    /// The slot of the sweep that the arrows change: of the first input (0) or the second (1).
+    pub(crate) fn sweep_slot(&self) -> (usize, Slot) {
+        self.studies.sweep().slot()
+    }
+
+    /// The design page.
+    pub fn design(&self) -> Option<&DesignView> {
+        self.studies.design().view()
+    }
+
+    /// The comparison.
+    pub fn comparison(&self) -> Option<&CompareView> {
+        self.studies.compare().view()
+    }
+
+    /// The marked layout of the comparison, by its place in the project.
+    pub fn comparison_marked(&self) -> usize {
+        self.studies.compare().marked()
+    }
+
+    /// The column the comparison is sorted by, and whether falling.
+    pub fn comparison_sort(&self) -> Option<(ColumnHead, bool)> {
+        self.studies.compare().sort()
+    }
+
+    /// The first column that is shown behind the name, by its place in [`ColumnHead::ALL`] less 1.
+    pub(crate) fn comparison_first(&self) -> usize {
+        self.studies.compare().first()
     }
 }

@@ -8,8 +8,8 @@ use std::path::PathBuf;
 impl App {
     /// The marked kind of the list is written beside the project, under a name that is free.
     pub(super) fn take_export(&mut self) -> Vec<Command> {
-        let Mode::Export { index } = self.mode else { return Vec::new() };
-        self.mode = Mode::Main;
+        let Mode::Export { index } = *self.screen.mode() else { return Vec::new() };
+        self.screen.show(Mode::Main);
         match ExportKind::ALL.get(index) {
             Some(kind) => self.export(*kind, None, false),
             None => Vec::new(),
@@ -22,9 +22,9 @@ impl App {
         }
         vec![Command::Export {
             kind,
-            project: self.project.clone(),
+            project: self.project().clone(),
             edited: self.edited(),
-            layout: self.selected,
+            layout: self.selected(),
             unit: self.units(),
             path,
             overwrite,
@@ -45,7 +45,7 @@ impl App {
             None => (rest, ""),
         };
         if word.is_empty() {
-            self.mode = Mode::Export { index: 0 };
+            self.screen.show(Mode::Export { index: 0 });
             return Ok(Vec::new());
         }
         let Some(kind) = ExportKind::named(word) else {

@@ -14,7 +14,7 @@ const NO_PLACE: &str = "nothing was pasted: no field is open (Enter, n and : ope
 impl App {
     /// Text of a marked paste.
     pub(super) fn paste(&mut self, text: &str) {
-        self.status = None;
+        self.screen.hush();
         if self.paste_into_field(text) {
             return;
         }
@@ -32,10 +32,12 @@ impl App {
 
     /// Puts text into the field that is open; `false` when there is none.
     fn paste_into_field(&mut self, text: &str) -> bool {
-        match &mut self.mode {
-            Mode::Entry(entry) => entry.paste(text),
-            Mode::Open(picker) => picker.paste(text),
-            _ => return false,
+        if let Some(entry) = self.screen.entry() {
+            entry.paste(text);
+        } else if let Some(picker) = self.screen.picker() {
+            picker.paste(text);
+        } else {
+            return false;
         }
         true
     }
@@ -47,7 +49,7 @@ impl App {
         let text: String = keys.iter().map(|key| character(*key)).collect();
         let body = text.trim_end_matches('\r');
         let single = !body.contains('\r') && text.len() - body.len() <= 1;
-        let in_field = matches!(self.mode, Mode::Entry(_) | Mode::Open(_));
+        let in_field = self.screen.takes_text();
         let commands = body.split('\r').all(|line| line.starts_with(':'));
         let opens = text.chars().next().is_some_and(|c| self.may_open_field(c));
         if in_field && !single {
@@ -57,7 +59,7 @@ impl App {
         if in_field || (opens && (commands || single)) {
             return self.type_in(keys);
         }
-        self.status = None;
+        self.screen.hush();
         let count = keys.len();
         self.complain(format!(
             "{count} keys at once, as of a paste: no field is open, nothing done"
@@ -69,9 +71,7 @@ impl App {
     fn type_in(&mut self, keys: &[Key]) -> Vec<Command> {
         let mut effects = Vec::new();
         for key in keys {
-            if !self.may_open_field(character(*key))
-                && !matches!(self.mode, Mode::Entry(_) | Mode::Open(_))
-            {
+            if !self.may_open_field(character(*key)) && !self.screen.takes_text() {
                 break;
             }
             effects.extend(self.key(*key));
@@ -85,7 +85,7 @@ impl App {
         let Some(context) = self.context() else { return false };
         match keymap::action(context, Key::char(c)) {
             Some(action) => action == Action::Command,
-            None => begins_number(c) && matches!(self.mode, Mode::Main | Mode::Study(_)),
+            None => begins_number(c) && matches!(self.screen.mode(), Mode::Main | Mode::Study(_)),
         }
     }
 }

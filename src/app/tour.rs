@@ -120,14 +120,15 @@ pub fn stops() -> Vec<TourStop> {
 impl App {
     /// Starts the tour.
     pub(super) fn start_tour(&mut self) {
-        self.mode = Mode::Tour { stop: 0 };
+        self.screen.show(Mode::Tour { stop: 0 });
     }
 
     /// The next screen of the tour, or its end.
     pub(super) fn next_stop(&mut self) -> Vec<Command> {
-        match self.mode {
-            Mode::Tour { stop } if stop + 1 < stops().len() => {
-                self.mode = Mode::Tour { stop: stop + 1 };
+        let last = stops().len().saturating_sub(1);
+        match *self.screen.mode() {
+            Mode::Tour { stop } if stop < last => {
+                self.screen.scroll(1, last);
                 Vec::new()
             }
             _ => self.end_tour(),
@@ -136,20 +137,17 @@ impl App {
 
     /// The screen before.
     pub(super) fn previous_stop(&mut self) {
-        if let Mode::Tour { stop } = &mut self.mode {
-            *stop = stop.saturating_sub(1);
-        }
+        self.screen.scroll(-1, usize::MAX);
     }
 
     /// Ends the tour; it is not shown at the next start.
     pub(super) fn end_tour(&mut self) -> Vec<Command> {
-        self.mode = Mode::Main;
+        self.screen.show(Mode::Main);
         self.inform("? shows the keys, :tour this tour again");
-        if self.preferences.kept.tour_seen {
+        if self.preferences().kept.tour_seen {
             return Vec::new();
         }
-        // The word is one of the setting's own.
-        self.set_setting(SettingItem::Tour, "seen").unwrap_or_default()
+        self.choose(SettingItem::Tour, "seen")
     }
 }
 

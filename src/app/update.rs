@@ -4,15 +4,17 @@ use super::entry::{EditTarget, LineEntry, LineKey};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
 use super::message::{Command, Message};
-use super::{App, Mode, settings};
-use crate::case::{Input, StepSize};
+use super::settings::SettingItem;
+use super::{App, Mode};
+use crate::case::StepSize;
+use crate::export::ExportKind;
 use crate::units::Quantity;
 use std::path::Path;
 
 impl App {
     /// Takes a message; returns what is to be done.
     pub fn update(&mut self, message: Message) -> Vec<Command> {
-        self.dirty = true;
+        self.screen.touch();
         let mut effects = self.take(message);
         effects.extend(self.follow_edit());
         self.follow_page();
@@ -29,7 +31,7 @@ impl App {
             }
             Message::Burst(keys) => self.burst(&keys),
             Message::Resize { width, height } => {
-                self.size = (width, height);
+                self.screen.resize(width, height);
                 Vec::new()
             }
             Message::Saved(result) => self.saved(result),
@@ -47,12 +49,16 @@ impl App {
                 self.go_on()
             }
             Message::Work(news) => {
-                self.news(news);
+                if let Some(said) = self.work.news(&mut self.editor, news) {
+                    self.screen.say(said);
+                }
                 Vec::new()
             }
             Message::Resumed => vec![Command::Redraw],
             Message::Projects(found) => {
-                self.found_projects(found);
+                if let Some(picker) = self.screen.picker() {
+                    picker.found(found);
+                }
                 Vec::new()
             }
             Message::Opened(result) => self.opened(result),
@@ -73,17 +79,17 @@ impl App {
     }
 
     pub(super) fn key(&mut self, key: Key) -> Vec<Command> {
-        self.status = None;
-        if let Mode::Entry(entry) = &mut self.mode {
+        self.screen.hush();
+        if let Some(entry) = self.screen.entry() {
             // A question mark is text here.
             if key == Key::plain(Code::F(1)) {
-                self.toggle_help();
+                self.screen.toggle_help();
                 return Vec::new();
             }
             return match entry.key(key) {
                 LineKey::Typing => Vec::new(),
                 LineKey::Drop => {
-                    self.mode = self.behind();
+                    self.screen.close();
                     Vec::new()
                 }
                 LineKey::Take => self.take_entry(),
@@ -93,14 +99,14 @@ impl App {
         match keymap::action(context, key) {
             Some(action) => self.act(action),
             None => {
-                match &mut self.mode {
+                match self.screen.mode() {
                     Mode::Main => self.start_typing(key),
-                    Mode::Open(picker) => picker.key(key),
-                    Mode::Study(page) => {
-                        let page = *page;
-                        self.study_key(page, key);
+                    Mode::Study(page) => self.study_key(*page, key),
+                    _ => {
+                        if let Some(picker) = self.screen.picker() {
+                            picker.key(key);
+                        }
                     }
-                    _ => {}
                 }
                 Vec::new()
             }
@@ -110,90 +116,92 @@ impl App {
     /// A digit, a point or a minus on the main screen starts a value.
     fn start_typing(&mut self, key: Key) {
         let Key { code: Code::Char(c), ctrl: false, alt: false, .. } = key else { return };
-        if c.is_ascii_digit()
-            || c == '.'
-            || (c == '-' && self.field.row().quantity == Quantity::Length)
-        {
-            self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), c));
+        let field = self.field();
+        let signed = field.row().quantity == Quantity::Length;
+        if c.is_ascii_digit() || c == '.' || (c == '-' && signed) {
+            self.screen.type_into(EditTarget::Value(field), c);
         } else {
-            self.inform(format!("{key} does nothing here; ? shows the keys"));
+            self.no_key(key);
         }
     }
 
+    /// A key that has no meaning where the user is.
+    pub(super) fn no_key(&mut self, key: Key) {
+        self.inform(format!("{key} does nothing here; ? shows the keys"));
+    }
+
     fn act(&mut self, action: Action) -> Vec<Command> {
-        if let Mode::Study(page) = self.mode
+        if let Mode::Study(page) = *self.screen.mode()
             && let Some(effects) = self.study_act(page, action)
         {
             return effects;
         }
         match action {
-            Action::FieldUp => self.select_field(false),
-            Action::FieldDown => self.select_field(true),
+            Action::FieldUp => self.editor.select_next_field(false),
+            Action::FieldDown => self.editor.select_next_field(true),
             Action::StepUp => self.step_field(StepSize::Fine, true),
             Action::StepDown => self.step_field(StepSize::Fine, false),
             Action::CoarseUp => self.step_field(StepSize::Coarse, true),
             Action::CoarseDown => self.step_field(StepSize::Coarse, false),
             Action::Type => {
-                let text = self.layout().get(self.field);
-                let text = text.map_or(String::new(), |v| self.field.entry_text(v, self.units()));
-                self.mode = Mode::Entry(LineEntry::new(EditTarget::Value(self.field), text));
+                let field = self.field();
+                self.screen.type_into(EditTarget::Value(field), self.editor.field_text(field));
             }
-            Action::Clear if self.field.clearable() => self.set_field(None),
+            Action::Clear if self.field().clearable() => self.editor.set_field(None),
             Action::Clear => {
-                self.inform(format!("{} needs a value; type one", self.field.word()));
+                self.inform(format!("{} needs a value; type one", self.field().word()));
             }
-            Action::NextLayout => self.select_layout(true),
-            Action::PreviousLayout => self.select_layout(false),
-            Action::Add => self.add_layout(),
-            Action::Duplicate => self.duplicate_layout(),
+            Action::NextLayout => self.editor.select_neighbour(true),
+            Action::PreviousLayout => self.editor.select_neighbour(false),
+            Action::Add => {
+                let said = self.editor.add_layout();
+                self.tell(said);
+            }
+            Action::Duplicate => {
+                let said = self.editor.duplicate_layout();
+                self.tell(said);
+            }
             Action::Rename => {
-                self.mode =
-                    Mode::Entry(LineEntry::new(EditTarget::Name, self.layout().name.clone()));
+                self.screen.type_into(EditTarget::Name, self.editor.layout().name.clone());
             }
             Action::Note => {
-                self.mode =
-                    Mode::Entry(LineEntry::new(EditTarget::Note, self.layout().note.clone()));
+                self.screen.type_into(EditTarget::Note, self.editor.layout().note.clone());
             }
-            Action::Delete => self.delete_layout(),
-            Action::MoveUp => self.move_layout(false),
-            Action::MoveDown => self.move_layout(true),
-            Action::Overlay => self.toggle_overlay(),
+            Action::Delete => {
+                let said = self.editor.delete_layout();
+                self.tell(said);
+            }
+            Action::MoveUp => self.editor.move_layout(false),
+            Action::MoveDown => self.editor.move_layout(true),
+            Action::Overlay => {
+                let said = self.editor.toggle_overlay();
+                self.tell(said);
+            }
             Action::PickMesh => {
+                // A mesh that is not known is not in the list; the mark begins at its top then.
                 let index = self.meshes().iter().position(|c| c.mesh.id == self.layout().mesh);
-                self.mode = Mode::MeshPicker { index: index.unwrap_or(0) };
+                self.screen.show(Mode::MeshPicker { index: index.unwrap_or(0) });
             }
-            Action::Branch => self.toggle_branch(),
-            Action::Units => self.set_units(self.units().other()),
+            Action::Branch => {
+                let said = self.editor.toggle_branch();
+                self.inform(said);
+            }
+            Action::Units => self.editor.set_units(self.units().other()),
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
             Action::Save => return self.save(None, false),
-            Action::Command => self.mode = Mode::Entry(LineEntry::new(EditTarget::Command, "")),
-            Action::Details => self.mode = Mode::Details { scroll: 0 },
-            Action::Help => self.toggle_help(),
+            Action::Command => self.screen.type_into(EditTarget::Command, ""),
+            Action::Details => self.screen.show(Mode::Details { scroll: 0 }),
+            Action::Help => self.screen.toggle_help(),
             Action::Suspend => return vec![Command::Suspend],
             Action::Redraw => return vec![Command::Redraw],
             Action::Quit => return self.ask_to_quit(),
             Action::Up => self.scroll(-1),
             Action::Down => self.scroll(1),
-            Action::PageUp => self.scroll(-self.page()),
-            Action::PageDown => self.scroll(self.page()),
-            Action::Take if matches!(self.mode, Mode::Open(_)) => return self.take_project(),
-            Action::Take if matches!(self.mode, Mode::Export { .. }) => {
-                return self.take_export();
-            }
-            Action::Take => self.take_mesh(),
-            // Going on without a decision would let new edits take the place of the kept ones.
-            Action::Close if matches!(self.mode, Mode::ConfirmRecovery { .. }) => {
-                return self.quit(None);
-            }
-            Action::Close if matches!(self.mode, Mode::Tour { .. }) => return self.end_tour(),
-            Action::Close if matches!(self.mode, Mode::Help { .. }) => self.toggle_help(),
-            Action::Close => {
-                if let Mode::Open(_) = self.mode {
-                    self.files.stop_opening();
-                }
-                self.mode = self.behind();
-            }
+            Action::PageUp => self.scroll(-(self.screen.page_lines() as isize)),
+            Action::PageDown => self.scroll(self.screen.page_lines() as isize),
+            Action::Take => return self.take_marked(),
+            Action::Close => return self.close(),
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
@@ -210,7 +218,7 @@ impl App {
             Action::Live => return self.toggle_live(),
             Action::Fidelity => return self.next_fidelity(),
             Action::Stop => return self.stop_work(),
-            Action::Export => self.mode = Mode::Export { index: 0 },
+            Action::Export => self.screen.show(Mode::Export { index: 0 }),
             Action::NextWord => return self.change_marked_setting(true),
             Action::PreviousWord => return self.change_marked_setting(false),
             Action::Study(ask) => self.study_ask(ask),
@@ -218,74 +226,76 @@ impl App {
         Vec::new()
     }
 
-    fn select_field(&mut self, down: bool) {
-        let at = Input::LAYOUT.iter().position(|f| *f == self.field).unwrap_or(0);
-        let last = Input::LAYOUT.len() - 1;
-        self.field = Input::LAYOUT[if down { (at + 1).min(last) } else { at.saturating_sub(1) }];
+    fn step_field(&mut self, size: StepSize, up: bool) {
+        if let Err(refusal) = self.editor.step_field(size, up) {
+            self.complain(refusal);
+        }
     }
 
-    fn select_layout(&mut self, next: bool) {
-        let count = self.project.layouts.len();
-        self.selected = (self.selected + if next { 1 } else { count - 1 }) % count;
-    }
-
-    /// Lines of a page of the pager.
-    fn page(&self) -> isize {
-        isize::from(self.size.1 as i16).saturating_sub(4).max(1)
-    }
-
+    /// Moves the mark of what is shown, or scrolls it.
     fn scroll(&mut self, lines: isize) {
-        let meshes = self.meshes().len();
-        let last = self.pager_lines().saturating_sub(self.page() as usize);
-        match &mut self.mode {
-            Mode::Help { scroll } | Mode::Details { scroll } => {
-                *scroll = scroll.saturating_add_signed(lines).min(last);
+        match self.screen.mode() {
+            Mode::Help { .. } | Mode::Details { .. } => {
+                let last = self.page_lines().len().saturating_sub(self.screen.page_lines());
+                self.screen.scroll(lines, last);
             }
-            Mode::Export { index } => {
-                let kinds = crate::export::ExportKind::ALL.len() as isize;
-                *index = (*index as isize + lines).rem_euclid(kinds) as usize;
+            Mode::Settings { .. } => self.screen.scroll(lines, SettingItem::ALL.len() - 1),
+            Mode::Export { .. } => self.screen.turn(lines, ExportKind::ALL.len()),
+            Mode::MeshPicker { .. } => {
+                let meshes = self.meshes().len();
+                self.screen.turn(lines, meshes);
             }
+            _ => {
+                if let Some(picker) = self.screen.picker() {
+                    picker.step(lines);
+                }
+            }
+        }
+    }
+
+    /// The marked entry is taken.
+    fn take_marked(&mut self) -> Vec<Command> {
+        match *self.screen.mode() {
+            Mode::Open(_) => return self.take_project(),
+            Mode::Export { .. } => return self.take_export(),
             Mode::MeshPicker { index } => {
-                *index = (*index as isize + lines).rem_euclid(meshes as isize) as usize;
-            }
-            Mode::Open(_) => self.step_picker(lines),
-            Mode::Settings { index } => {
-                let last = settings::SettingItem::ALL.len() - 1;
-                *index = index.saturating_add_signed(lines).min(last);
+                if let Some(choice) = self.meshes().get(index) {
+                    self.screen.show(Mode::Main);
+                    if let Err(refusal) = self.editor.set_mesh(&choice.mesh.id) {
+                        self.complain(refusal);
+                    }
+                }
             }
             _ => {}
         }
+        Vec::new()
     }
 
-    fn take_mesh(&mut self) {
-        if let Mode::MeshPicker { index } = self.mode
-            && let Some(choice) = self.meshes().get(index)
-        {
-            self.mode = Mode::Main;
-            // The choice came from the list, so the mesh is known.
-            if let Err(refusal) = self.set_mesh(&choice.mesh.id) {
-                self.complain(refusal);
+    /// What is shown is closed.
+    fn close(&mut self) -> Vec<Command> {
+        match self.screen.mode() {
+            // Going on without a decision would let new edits take the place of the kept ones.
+            Mode::ConfirmRecovery { .. } => return self.quit(None),
+            Mode::Tour { .. } => return self.end_tour(),
+            Mode::Help { .. } => self.screen.toggle_help(),
+            Mode::Open(_) => {
+                self.files.stop_opening();
+                self.screen.close();
             }
+            _ => self.screen.close(),
         }
+        Vec::new()
     }
 
     /// Enter in a line of text: a text that is refused stays, with the reason.
     fn take_entry(&mut self) -> Vec<Command> {
-        let behind = self.behind();
-        let Mode::Entry(entry) = std::mem::replace(&mut self.mode, behind) else {
-            return Vec::new();
-        };
+        let Some(entry) = self.screen.take_entry() else { return Vec::new() };
         let text = entry.text().to_string();
         let result = match entry.target {
-            EditTarget::Value(field) => {
-                field.read(&text, &self.layout().layout, self.units()).map(|value| {
-                    self.set_field(value);
-                    Vec::new()
-                })
-            }
-            EditTarget::Name => self.rename_layout(&text).map(|()| Vec::new()),
+            EditTarget::Value(field) => self.editor.read_field(field, &text).map(|()| Vec::new()),
+            EditTarget::Name => self.editor.rename_layout(&text).map(|()| Vec::new()),
             EditTarget::Note => {
-                self.set_note(&text);
+                self.editor.set_note(&text);
                 Ok(Vec::new())
             }
             EditTarget::Command => self.command(&text),
@@ -293,18 +303,8 @@ impl App {
             EditTarget::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {
-            self.mode = Mode::Entry(LineEntry { error: Some(refusal), ..entry });
+            self.screen.show(Mode::Entry(LineEntry { error: Some(refusal), ..entry }));
             Vec::new()
         })
-    }
-
-    fn restore(&mut self) {
-        match std::mem::replace(&mut self.mode, Mode::Main) {
-            Mode::ConfirmRecovery { kept } => {
-                self.edit("kept edits taken back", |project| *project = (*kept).clone());
-                self.inform("the kept edits are back, not saved yet; u undoes this");
-            }
-            other => self.mode = other,
-        }
     }
 }

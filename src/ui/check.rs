@@ -4,7 +4,7 @@ use super::curves::CurvePlot;
 use super::studies;
 use super::theme::Theme;
 use crate::app::App;
-use crate::app::checks::{ShownCheck, Standing};
+use crate::app::work::shown::{ShownCheck, Standing};
 use crate::curve::{Curve, Point};
 use crate::job::pace::duration;
 use crate::remark::Weight;
@@ -38,7 +38,7 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
         .partition(|r| matches!(r, CheckRemark::Bifurcation(_) | CheckRemark::Diverged(_)));
     lines.extend(first.iter().map(|r| (format!("! {}", r.short()), theme.caution)));
     let runs = match shown.standing {
-        Standing::Live(true) => format!("{} of {}", result.runs, crate::app::checks::LIVE_RUNS),
+        Standing::Live(true) => format!("{} of {}", result.runs, crate::app::work::live::LIVE_RUNS),
         _ => result.runs.to_string(),
     };
     let word = if runs == "1" { "run" } else { "runs" };
@@ -161,7 +161,7 @@ pub(super) fn marks(app: &App, chart: &mut CurvePlot) {
 /// How far the user's check has come, in a line.
 pub(crate) fn progress(app: &App) -> Option<String> {
     let Some(running) = app.running() else { return studies::progress(app) };
-    let Some(p) = &running.progress else {
+    let Some(p) = running.progress() else {
         return Some("checking; Esc ends it".into());
     };
     let layouts = &app.project().layouts;

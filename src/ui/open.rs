@@ -5,7 +5,7 @@ use super::layouts::first_shown;
 use super::text::{clear, cut, heading, put};
 use super::theme::Theme;
 use crate::app::message::FoundProject;
-use crate::app::open::Picker;
+use crate::app::picker::Picker;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use std::path::Path;

@@ -4,8 +4,8 @@
 use crate::canned::{self, news};
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::checks::Standing;
 use meshcast::app::message::{Command, Message};
+use meshcast::app::work::shown::Standing;
 use meshcast::curve::Point;
 use meshcast::dem::Fidelity;
 use meshcast::job::news::{Progress, What};

@@ -2,7 +2,8 @@
 
 use super::text::TextPage;
 use crate::app::App;
-use crate::app::checks::{LIVE_RUNS, Standing};
+use crate::app::work::live::LIVE_RUNS;
+use crate::app::work::shown::Standing;
 use crate::dem::outcome::Quality;
 use crate::study::result::places::Places;
 use crate::study::result::{CheckResult, Revisions};

@@ -3,8 +3,8 @@
 
 use super::method;
 use super::text::{PageLine, TextPage};
+use crate::app::Mode;
 use crate::app::keymap::{self, Context};
-use crate::app::{App, Mode};
 
 /// Where the help was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,18 +19,6 @@ impl Topic {
     /// What the help on a screen is about.
     pub(super) fn of(mode: &Mode) -> Topic {
         mode.context().map_or(Topic::Typing, Topic::Screen)
-    }
-}
-
-impl App {
-    /// Shows the help over the present screen, or closes it.
-    pub(in crate::app) fn toggle_help(&mut self) {
-        if let Mode::Help { .. } = self.mode {
-            self.mode = std::mem::replace(&mut self.under_help, Mode::Main);
-        } else {
-            let under = std::mem::replace(&mut self.mode, Mode::Help { scroll: 0 });
-            *self.under_help = under;
-        }
     }
 }
 

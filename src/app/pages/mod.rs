@@ -32,11 +32,7 @@ impl App {
     pub(crate) fn page_lines(&self) -> Vec<PageLine> {
         match self.mode() {
             Mode::Details { .. } => details::details(self, self.page_width()),
-            _ => help::help(self.page_width(), help::Topic::of(&self.under_help)),
+            _ => help::help(self.page_width(), help::Topic::of(self.screen.under_help())),
         }
-    }
-
-    pub(super) fn pager_lines(&self) -> usize {
-        self.page_lines().len()
     }
 }

@@ -4,6 +4,7 @@
 //! A flag of this run stands above the file of settings, that above the project (which only knows a
 //! unit), and that above the default.
 
+mod changes;
 pub(crate) mod preferences;
 
 pub use preferences::Preferences;

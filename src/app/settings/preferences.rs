@@ -1,9 +1,8 @@
 //! The settings of a session: what is kept, what flags lay over it, and the changes the user makes.
 
 use super::super::look::{ColorChoice, ColorMode, Look};
-use super::super::message::Command;
-use super::super::{App, Mode};
 use super::{SettingItem, Settings};
+use crate::study::result::Wanted;
 use std::path::PathBuf;
 
 /// What a session knows of settings when it starts.
@@ -52,70 +51,53 @@ impl Preferences {
     }
 }
 
-impl App {
-    /// The settings that hold in this session, flags included.
-    pub fn settings(&self) -> &Settings {
+/// The settings' part of the state: where they come from, and what holds.
+#[derive(Debug)]
+pub(in crate::app) struct Choices {
+    preferences: Preferences,
+    /// What holds: what is kept, with the flags of this run over it.
+    settings: Settings,
+}
+
+impl Choices {
+    /// The settings of a session.
+    pub(in crate::app) fn new(preferences: Preferences) -> Choices {
+        Choices { settings: preferences.effective(), preferences }
+    }
+
+    /// The settings that hold.
+    pub(in crate::app) fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Where the settings come from.
-    pub fn preferences(&self) -> &Preferences {
+    /// Where they come from.
+    pub(in crate::app) fn preferences(&self) -> &Preferences {
         &self.preferences
     }
 
-    /// Changes a setting for this session and the next ones; a flag of this run gives way.
+    /// Colours and glyphs that they lead to.
+    pub(in crate::app) fn look(&self) -> Look {
+        self.preferences.look(&self.settings)
+    }
+
+    /// What a check is asked for.
+    pub(in crate::app) fn wanted(&self) -> Wanted {
+        Wanted { fidelity: self.settings.fidelity, runs: self.settings.runs, seed: 0 }
+    }
+
+    /// Changes a setting for this session and the next ones; a flag of this run gives way. What is to
+    /// be kept now.
     ///
     /// # Errors
     /// The words there are.
-    pub(in crate::app) fn set_setting(
+    pub(in crate::app) fn set(
         &mut self,
         item: SettingItem,
         word: &str,
-    ) -> Result<Vec<Command>, String> {
+    ) -> Result<Settings, String> {
         self.preferences.kept.set(item, word)?;
         self.preferences.flags.retain(|(flag, _)| *flag != item);
         self.settings = self.preferences.effective();
-        match item {
-            SettingItem::Units => self.units = self.settings.units,
-            SettingItem::Glyphs => self.look.glyphs = self.preferences.look(&self.settings).glyphs,
-            SettingItem::Color => self.look.color = self.preferences.look(&self.settings).color,
-            SettingItem::Fidelity | SettingItem::Runs | SettingItem::Live | SettingItem::Tour => {}
-        }
-        let mut effects = vec![Command::KeepSettings { settings: self.preferences.kept.clone() }];
-        if item == SettingItem::Live && !self.settings.live {
-            effects.extend(self.end_live());
-        }
-        Ok(effects)
-    }
-
-    /// The marked setting's next or previous word.
-    pub(in crate::app) fn change_marked_setting(&mut self, forward: bool) -> Vec<Command> {
-        let Mode::Settings { index } = self.mode else { return Vec::new() };
-        let Some(item) = SettingItem::ALL.get(index).copied() else { return Vec::new() };
-        let word = self.settings.neighbour(item, forward);
-        // The word is one of the list, so it is taken.
-        self.set_setting(item, word).unwrap_or_default()
-    }
-
-    /// The `set` command: the list of settings, or one of them at once.
-    ///
-    /// # Errors
-    /// The settings there are, or the words of one.
-    pub(in crate::app) fn set_command(&mut self, text: &str) -> Result<Vec<Command>, String> {
-        let (name, word) = match text.split_once([' ', '=']) {
-            Some((name, word)) => (name.trim(), word.trim()),
-            None => (text, ""),
-        };
-        if name.is_empty() {
-            self.mode = Mode::Settings { index: 0 };
-            return Ok(Vec::new());
-        }
-        let Some(item) = SettingItem::named(name) else {
-            let names: Vec<&str> = SettingItem::ALL.iter().map(|item| item.name()).collect();
-            return Err(format!("settings: {}", names.join(", ")));
-        };
-        let effects = self.set_setting(item, word)?;
-        self.inform(format!("{name} {word}, for this and the next sessions"));
-        Ok(effects)
+        Ok(self.preferences.kept.clone())
     }
 }

@@ -1,11 +1,10 @@
 //! All layouts side by side, sorted by any column.
 
 use super::super::keymap::Ask;
-use super::super::{App, Mode};
-use crate::words::Choice;
-
+use super::given::Given;
 use crate::study::checks::figures::Figures;
 use crate::study::compare::{Column, Comparison, compare};
+use crate::words::Choice;
 use std::cmp::Ordering;
 
 /// A column of the table.
@@ -103,7 +102,7 @@ impl CompareView {
 #[derive(Debug, Default)]
 pub(crate) struct CompareState {
     /// The marked layout, by its place in the project.
-    pub(super) marked: usize,
+    marked: usize,
     /// The column it is sorted by, by its place; nothing for the project's order.
     sort: Option<usize>,
     falling: bool,
@@ -112,97 +111,90 @@ pub(crate) struct CompareState {
     view: Option<CompareView>,
 }
 
-impl App {
-    /// The comparison; nothing where the page was never open.
-    pub fn comparison(&self) -> Option<&CompareView> {
-        self.studies.compare.view.as_ref()
+impl CompareState {
+    /// What the page shows.
+    pub(in crate::app) fn view(&self) -> Option<&CompareView> {
+        self.view.as_ref()
     }
 
     /// The marked layout, by its place in the project.
-    pub fn comparison_marked(&self) -> usize {
-        self.studies.compare.marked
+    pub(in crate::app) fn marked(&self) -> usize {
+        self.marked
     }
 
-    /// The column the comparison is sorted by, and whether falling.
-    pub fn comparison_sort(&self) -> Option<(ColumnHead, bool)> {
-        let state = &self.studies.compare;
-        Some((*ColumnHead::ALL.get(state.sort?)?, state.falling))
+    /// Marks a layout, by its place in the project.
+    pub(super) fn mark(&mut self, layout: usize) {
+        self.marked = layout;
+    }
+
+    /// The column it is sorted by, and whether falling.
+    pub(in crate::app) fn sort(&self) -> Option<(ColumnHead, bool)> {
+        Some((*ColumnHead::ALL.get(self.sort?)?, self.falling))
     }
 
     /// The first column that is shown behind the name, by its place in [`ColumnHead::ALL`] less 1.
-    pub(crate) fn comparison_first(&self) -> usize {
-        self.studies.compare.first
+    pub(in crate::app) fn first(&self) -> usize {
+        self.first
     }
 
-    pub(super) fn make_comparison(&mut self) {
-        let (mut cases, mut layouts) = (Vec::new(), Vec::new());
-        for (index, layout) in self.project.layouts.iter().enumerate() {
-            if let Some(case) = self.case(index) {
-                cases.push((layout.name.clone(), case));
-                layouts.push(index);
-            }
-        }
+    /// Makes what the page shows anew.
+    pub(super) fn follow(&mut self, given: &Given) {
+        let layouts: Vec<usize> = given.cases().map(|(index, ..)| index).collect();
+        let cases = given.cases().map(|(_, layout, case)| (layout.name.clone(), case.clone()));
         let comparison = compare(cases);
         let checked = layouts.iter().zip(&comparison.rows).map(|(index, row)| {
-            let shown = self.kept_check(*index)?;
+            let shown = given.kept(*index)?;
             Some(Checked {
                 figures: Figures::of(shown.result, row.values().ok(), &row.case.question),
                 stale: shown.stale(),
                 partial: shown.result.partial(),
             })
         });
+        let all = given.editor.layouts().len();
         let mut view = CompareView {
             checked: checked.collect(),
             order: (0..layouts.len()).collect(),
-            unknown: self.project.layouts.len() - layouts.len(),
+            unknown: all - layouts.len(),
             comparison,
             layouts,
         };
-        if let Some((head, falling)) = self.comparison_sort() {
+        if let Some((head, falling)) = self.sort() {
             view.order = sorted(&view, head, falling);
         }
-        let state = &mut self.studies.compare;
-        state.marked = state.marked.min(self.project.layouts.len().saturating_sub(1));
-        state.view = Some(view);
+        self.marked = self.marked.min(all.saturating_sub(1));
+        self.view = Some(view);
     }
 
-    pub(super) fn compare_ask(&mut self, ask: Ask) {
-        let state = &mut self.studies.compare;
+    /// What a key asks for; what to say.
+    pub(super) fn ask(&mut self, ask: Ask) -> Option<String> {
         let last = ColumnHead::ALL.len() - 1;
         match ask {
-            Ask::NextColumn => state.first = (state.first + 1).min(last - 1),
-            Ask::PreviousColumn => state.first = state.first.saturating_sub(1),
-            Ask::SortNext => state.sort = Some(state.sort.map_or(0, |at| (at + 1).min(last))),
-            Ask::SortPrevious => state.sort = state.sort.and_then(|at| at.checked_sub(1)),
-            Ask::Reverse => state.falling = !state.falling,
-            _ => return,
+            Ask::NextColumn => self.first = (self.first + 1).min(last - 1),
+            Ask::PreviousColumn => self.first = self.first.saturating_sub(1),
+            Ask::SortNext => self.sort = Some(self.sort.map_or(0, |at| (at + 1).min(last))),
+            Ask::SortPrevious => self.sort = self.sort.and_then(|at| at.checked_sub(1)),
+            Ask::Reverse => self.falling = !self.falling,
+            _ => return None,
         }
-        if matches!(ask, Ask::SortNext | Ask::SortPrevious | Ask::Reverse) {
-            let way = if state.falling { "falling" } else { "rising" };
-            let said = match self.comparison_sort() {
-                Some((head, _)) => format!("sorted by {}, {way}; - turns it round", words(head)),
-                None => "in the project's order".to_string(),
-            };
-            self.inform(said);
+        if !matches!(ask, Ask::SortNext | Ask::SortPrevious | Ask::Reverse) {
+            return None;
         }
+        let way = if self.falling { "falling" } else { "rising" };
+        Some(match self.sort() {
+            Some((head, _)) => format!("sorted by {}, {way}; - turns it round", words(head)),
+            None => "in the project's order".to_string(),
+        })
     }
 
     /// Marks another row.
-    pub(super) fn compare_move(&mut self, lines: isize) {
-        let state = &mut self.studies.compare;
-        let Some(view) = &state.view else { return };
-        let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&state.marked));
+    pub(super) fn step(&mut self, lines: isize) {
+        let Some(view) = &self.view else { return };
+        let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&self.marked));
         let last = view.order.len().saturating_sub(1);
         let to = at.map_or(0, |at| at.saturating_add_signed(lines).min(last));
         if let Some(layout) = view.order.get(to).and_then(|row| view.layouts.get(*row)) {
-            state.marked = *layout;
+            self.marked = *layout;
         }
-    }
-
-    /// Selects the marked layout and goes back to it.
-    pub(super) fn compare_take(&mut self) {
-        self.selected = self.studies.compare.marked.min(self.project.layouts.len() - 1);
-        self.mode = Mode::Main;
     }
 }
 

@@ -1,9 +1,9 @@
 //! Which plate, spacing or punch just meets the design values of the selected layout.
 
-use super::super::entry::{EditTarget, LineEntry, Typed};
-use super::super::keymap::{Ask, StudyPage};
-use super::super::{App, Mode};
-use super::campaign::Coverage;
+use super::super::keymap::StudyPage;
+use super::super::status::Status;
+use super::super::work::campaign::Coverage;
+use super::given::Given;
 use crate::case::{Case, CaseValue, Input};
 use crate::fingerprint::Fingerprint;
 use crate::study::checks::CheckAnswer;
@@ -76,13 +76,6 @@ pub(crate) struct DesignState {
     view: Option<DesignView>,
 }
 
-impl DesignState {
-    /// The cases to check: the layout, and each value that can be taken.
-    pub(super) fn cases(&self) -> Vec<Case> {
-        self.view.as_ref().map_or(Vec::new(), |view| cases(&view.case, &view.lines))
-    }
-}
-
 fn cases(case: &Case, lines: &[DesignLine]) -> Vec<Case> {
     let taken = lines.iter().filter_map(|line| match &line.kind {
         DesignKind::Take { value, .. } => Some(case.with(line.input, *value)),
@@ -91,42 +84,36 @@ fn cases(case: &Case, lines: &[DesignLine]) -> Vec<Case> {
     std::iter::once(case.clone()).chain(taken).collect()
 }
 
-impl App {
-    /// The design page; nothing where it is not open or the layout's mesh is not known.
-    pub fn design(&self) -> Option<&DesignView> {
-        self.studies.design.view.as_ref()
+/// What is said where there is nothing to be met.
+const NOTHING_ASKED: &str = "no design value is set: F types a force, D a deflection";
+
+impl DesignState {
+    /// What the page shows.
+    pub(in crate::app) fn view(&self) -> Option<&DesignView> {
+        self.view.as_ref()
     }
 
-    pub(super) fn make_design(&mut self) {
-        let view = self.case(self.selected).map(|case| self.design_of(case));
-        self.studies.design.view = view;
+    /// The cases to check: the layout, and each value that can be taken.
+    pub(super) fn cases(&self) -> Vec<Case> {
+        self.view.as_ref().map_or(Vec::new(), |view| cases(&view.case, &view.lines))
     }
 
-    fn design_of(&mut self, case: Case) -> DesignView {
+    /// Makes what the page shows anew.
+    pub(super) fn follow(&mut self, given: &Given) {
+        self.view = given.case().map(|case| self.made(given, case));
+    }
+
+    fn made(&mut self, given: &Given, case: Case) -> DesignView {
         let asked = Requirement::asked(&case.question);
-        let chosen = self.studies.design.requirement.filter(|r| asked.contains(r));
+        let chosen = self.requirement.filter(|r| asked.contains(r));
         // Both at once stands last.
         let requirement = chosen.or(asked.last().copied());
         let solutions = requirement.map_or_else(Arc::default, |r| self.solved(&case, r));
-        let mut lines = Vec::new();
-        for solution in solutions.iter() {
-            let input = solution.input;
-            let line = |kind| DesignLine { input, kind, figures: None };
-            if solution.always() {
-                lines.push(line(DesignKind::Always));
-            } else if solution.never() {
-                lines.push(line(DesignKind::Never(solution.best.clone())));
-            }
-            for crossing in &solution.crossings {
-                let value = crossing.rounded.unwrap_or(crossing.value);
-                let outcome = case.with(input, value).outcome();
-                let crossing = Box::new(crossing.clone());
-                lines.push(line(DesignKind::Take { crossing, value, outcome }));
-            }
-        }
+        let mut lines: Vec<DesignLine> =
+            solutions.iter().flat_map(|solution| lines(&case, solution)).collect();
         let all = cases(&case, &lines);
-        let answers: Vec<CheckAnswer> = all.iter().map(|case| self.found(case)).collect();
-        let coverage = self.coverage(self.purpose(StudyPage::Design, 0), &all, &answers);
+        let answers = given.answers(&all);
+        let coverage = given.coverage(given.purpose(StudyPage::Design, 0), &all, &answers);
         let figures = |answer: Option<&CheckAnswer>, outcome: &CaseValue| {
             let result = answer?.as_ref().ok()?;
             let forecast = outcome.as_ref().ok().map(|p| p.values());
@@ -140,75 +127,79 @@ impl App {
                 line.figures = figures(rest.next(), outcome);
             }
         }
-        let marked = self.studies.design.marked.min(lines.len().saturating_sub(1));
+        let marked = self.marked.min(lines.len().saturating_sub(1));
         DesignView { asked, requirement, solutions, lines, marked, coverage, own, outcome, case }
     }
 
     /// The solutions, made anew only where something changed.
     fn solved(&mut self, case: &Case, requirement: Requirement) -> Arc<Vec<Solution>> {
         let of = case.question_fingerprint();
-        if let Some((inputs, what, solutions)) = &self.studies.design.solved
+        if let Some((inputs, what, solutions)) = &self.solved
             && (*inputs, *what) == (of, requirement)
         {
             return solutions.clone();
         }
         let all = SOLVED.into_iter().filter_map(|input| solve(case, input, requirement));
         let solutions = Arc::new(all.collect::<Vec<Solution>>());
-        self.studies.design.solved = Some((of, requirement, solutions.clone()));
+        self.solved = Some((of, requirement, solutions.clone()));
         solutions
     }
 
-    pub(super) fn design_move(&mut self, lines: isize) {
-        let state = &mut self.studies.design;
-        let last = state.view.as_ref().map_or(0, |view| view.lines.len().saturating_sub(1));
-        state.marked = state.marked.saturating_add_signed(lines).min(last);
+    /// Marks another line.
+    pub(super) fn step(&mut self, lines: isize) {
+        let last = self.view.as_ref().map_or(0, |view| view.lines.len().saturating_sub(1));
+        self.marked = self.marked.saturating_add_signed(lines).min(last);
     }
 
-    pub(super) fn design_ask(&mut self, ask: Ask) {
-        let field = match ask {
-            Ask::NextColumn => return self.next_requirement(true),
-            Ask::PreviousColumn => return self.next_requirement(false),
-            Ask::DesignForce => Input::DesignForce,
-            Ask::AllowableDeflection => Input::AllowableDeflection,
-            Ask::LoadFactor => Input::GammaLoad,
-            Ask::ResistanceFactor => Input::GammaResistance,
-            _ => return,
-        };
-        let text = self.layout().get(field);
-        let text = text.map_or(String::new(), |v| field.entry_text(v, self.units()));
-        self.type_design(field, text);
+    /// Asks for the next or the previous of what can be asked for.
+    ///
+    /// # Errors
+    /// There is nothing.
+    pub(super) fn next_requirement(&mut self, next: bool) -> Result<(), &'static str> {
+        let Some(view) = &self.view else { return Ok(()) };
+        let now = view.requirement.ok_or(NOTHING_ASKED)?;
+        let pairs = view.asked.iter().zip(view.asked.iter().cycle().skip(1));
+        let other = pairs.into_iter().find_map(|(one, other)| match next {
+            true => (*one == now).then_some(*other),
+            false => (*other == now).then_some(*one),
+        });
+        self.requirement = other.or(self.requirement);
+        Ok(())
     }
 
-    /// Begins to type a design value.
-    pub(super) fn type_design(&mut self, field: Input, text: impl Into<String>) {
-        self.mode = Mode::Entry(LineEntry::new(EditTarget::Study(Typed::Design(field)), text));
-    }
-
-    fn next_requirement(&mut self, next: bool) {
-        let Some(view) = &self.studies.design.view else { return };
-        let count = view.asked.len();
-        if count == 0 {
-            return self.inform("no design value is set: F types a force, D a deflection");
-        }
-        let at = view.asked.iter().position(|r| Some(*r) == view.requirement).unwrap_or(0);
-        let requirement = view.asked[(at + if next { 1 } else { count - 1 }) % count];
-        self.studies.design.requirement = Some(requirement);
-    }
-
-    /// Takes the marked value into the layout.
-    pub(super) fn design_take(&mut self) {
-        let Some(view) = &self.studies.design.view else { return };
+    /// The layout with the marked value and the symbol of the input that it is of, or why there is
+    /// nothing to take; nothing without a page.
+    pub(super) fn taken(&self) -> Option<Result<(Case, &'static str), Status>> {
+        let view = self.view.as_ref()?;
         let Some(line) = view.lines.get(view.marked) else {
-            return self.inform("no design value is set: F types a force, D a deflection");
+            return Some(Err(Status::info(NOTHING_ASKED)));
         };
         let symbol = line.input.symbol();
-        match &line.kind {
-            DesignKind::Take { value, .. } => {
-                let case = view.case.with(line.input, *value);
-                self.take_into_layout(case, symbol);
+        Some(match &line.kind {
+            DesignKind::Take { value, .. } => Ok((view.case.with(line.input, *value), symbol)),
+            DesignKind::Always => {
+                Err(Status::info(format!("every {symbol} of the range meets it")))
             }
-            DesignKind::Always => self.inform(format!("every {symbol} of the range meets it")),
-            DesignKind::Never(_) => self.complain(format!("no {symbol} of the range meets it")),
-        }
+            DesignKind::Never(_) => {
+                Err(Status::error(format!("no {symbol} of the range meets it")))
+            }
+        })
     }
+}
+
+/// The lines of an input.
+fn lines(case: &Case, solution: &Solution) -> Vec<DesignLine> {
+    let input = solution.input;
+    let line = |kind| DesignLine { input, kind, figures: None };
+    let whole = match (solution.always(), solution.never()) {
+        (true, _) => Some(DesignKind::Always),
+        (_, true) => Some(DesignKind::Never(solution.best.clone())),
+        _ => None,
+    };
+    let taken = solution.crossings.iter().map(|crossing| {
+        let value = crossing.rounded.unwrap_or(crossing.value);
+        let outcome = case.with(input, value).outcome();
+        DesignKind::Take { crossing: Box::new(crossing.clone()), value, outcome }
+    });
+    whole.into_iter().chain(taken).map(line).collect()
 }

@@ -1,20 +1,21 @@
 //! One input over a range, or two over a map, of the selected layout: forecast at once, checks one
 //! after the other where they were asked for.
 
-use super::super::entry::{EditTarget, LineEntry, Slot, Typed};
-use super::super::keymap::{Ask, StudyPage};
-use super::super::message::Command;
-use super::super::{App, Mode};
-use super::campaign::Coverage;
+use super::super::entry::Slot;
+use super::super::keymap::StudyPage;
+use super::super::work::campaign::Coverage;
+use super::given::Given;
 use super::neighbour;
+use crate::case::entry::on_grain;
 use crate::case::{Case, CaseValue, Input, StepSize};
 use crate::fingerprint::Fingerprinter;
-use crate::problem::{Problem, summary};
+use crate::problem::{self, Problem};
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
 use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
-use crate::units::{LengthUnit, Quantity, parse, shortest, to_kn};
+use crate::units::{LengthUnit, Quantity, length_entry, parse, shortest, to_kn};
+use std::collections::HashMap;
 
 /// Values of the first input where nobody says otherwise.
 const FIRST: usize = 9;
@@ -63,11 +64,11 @@ pub struct SweepView {
 pub(crate) struct SweepState {
     first: Input,
     second: Option<Input>,
-    /// Ranges that were changed, by the place of the input.
-    ranges: [Option<(f64, f64)>; 7],
+    /// Ranges that were changed.
+    ranges: HashMap<Input, (f64, f64)>,
     steps: [usize; 2],
     /// The slot that the arrows change: of which axis, and which.
-    pub(super) slot: (usize, Slot),
+    slot: (usize, Slot),
     shown: Option<Effect>,
     marked: usize,
     checks_shown: bool,
@@ -79,7 +80,7 @@ impl Default for SweepState {
         SweepState {
             first: Input::Spacing,
             second: None,
-            ranges: [None; 7],
+            ranges: HashMap::new(),
             steps: [FIRST, SECOND],
             slot: (0, Slot::Input),
             shown: None,
@@ -88,10 +89,6 @@ impl Default for SweepState {
             view: None,
         }
     }
-}
-
-fn place(input: Input) -> usize {
-    Input::VARIED.iter().position(|i| *i == input).unwrap_or(0)
 }
 
 /// The range of an input where nobody says otherwise: the published one, the quarter of the cell that
@@ -104,18 +101,13 @@ fn usual_range(input: Input, case: &Case) -> (f64, f64) {
     }
 }
 
-/// Small step of a range's end.
-fn step_of(input: Input) -> f64 {
-    input.step(StepSize::Fine)
-}
-
 impl SweepState {
     fn inputs(&self) -> Vec<Input> {
         std::iter::once(self.first).chain(self.second).collect()
     }
 
     fn range(&self, input: Input, case: &Case) -> (f64, f64) {
-        self.ranges[place(input)].unwrap_or_else(|| usual_range(input, case))
+        self.ranges.get(&input).copied().unwrap_or_else(|| usual_range(input, case))
     }
 
     fn axes(&self, case: &Case) -> Vec<SweepAxis> {
@@ -133,7 +125,7 @@ impl SweepState {
         let of = Fingerprinter::new("ranges");
         let inputs = self.inputs().into_iter().zip(self.steps);
         let taken = inputs.fold(of, |of, (input, steps)| {
-            let range = self.ranges[place(input)];
+            let range = self.ranges.get(&input);
             of.text(input.word())
                 .optional(range.map(|r| r.0))
                 .optional(range.map(|r| r.1))
@@ -148,33 +140,32 @@ impl SweepState {
         match (&view.grid, &view.no_dem) {
             (_, Some(why)) => Err(format!("no check: {}", why.sentence())),
             (Some(grid), None) => dem::cases(&view.case, grid).map_err(|why| why.sentence()),
-            (None, None) => Err(summary(&view.problems)),
+            (None, None) => Err(problem::summary(&view.problems)),
         }
     }
 }
 
-impl App {
-    /// The sweep; nothing where the page is not open or the layout's mesh is not known.
-    pub fn sweep(&self) -> Option<&SweepView> {
-        self.studies.sweep.view.as_ref()
+impl SweepState {
+    /// What the page shows.
+    pub(in crate::app) fn view(&self) -> Option<&SweepView> {
+        self.view.as_ref()
     }
 
     /// The slot that the arrows change: of the first input (0) or the second (1), and which.
-    pub(crate) fn sweep_slot(&self) -> (usize, Slot) {
-        self.studies.sweep.slot
+    pub(in crate::app) fn slot(&self) -> (usize, Slot) {
+        self.slot
     }
 
-    pub(super) fn make_sweep(&mut self) {
-        let view = self.case(self.selected).map(|case| self.sweep_of(case));
-        if let Some(view) = &view {
-            self.studies.sweep.marked = view.marked;
+    /// Makes what the page shows anew.
+    pub(super) fn follow(&mut self, given: &Given) {
+        self.view = given.case().map(|case| self.made(given, case));
+        if let Some(view) = &self.view {
+            self.marked = view.marked;
         }
-        self.studies.sweep.view = view;
     }
 
-    fn sweep_of(&self, case: Case) -> SweepView {
-        let state = &self.studies.sweep;
-        let axes = state.axes(&case);
+    fn made(&self, given: &Given, case: Case) -> SweepView {
+        let axes = self.axes(&case);
         // There always is a first one.
         let made = match axes[..] {
             [first] => Grid::new(first, None),
@@ -182,7 +173,7 @@ impl App {
             [] => Err(Vec::new()),
         };
         let asked = case.question.force.is_some();
-        let shown = state.shown.filter(|e| asked || *e != Effect::Utilisation);
+        let shown = self.shown.filter(|e| asked || *e != Effect::Utilisation);
         let mut view = SweepView {
             axes,
             problems: Vec::new(),
@@ -195,7 +186,7 @@ impl App {
             no_dem: None,
             shown: shown.unwrap_or(Effect::Force),
             marked: 0,
-            checks_shown: state.checks_shown,
+            checks_shown: self.checks_shown,
             case,
         };
         let grid = match made {
@@ -204,12 +195,9 @@ impl App {
         };
         match dem::cases(&view.case, &grid) {
             Ok(cases) => {
-                view.answers = cases.iter().map(|case| self.found(case)).collect();
-                view.coverage = self.coverage(
-                    self.purpose(StudyPage::Sweep, state.question()),
-                    &cases,
-                    &view.answers,
-                );
+                view.answers = given.answers(&cases);
+                let purpose = given.purpose(StudyPage::Sweep, self.question());
+                view.coverage = given.coverage(purpose, &cases, &view.answers);
             }
             Err(why) => view.no_dem = Some(why),
         }
@@ -220,7 +208,7 @@ impl App {
                 answer.as_ref().ok().map(|v| Figures::of(v, forecast, &view.case.question))
             })
             .collect();
-        view.marked = state.marked.min(grid.len().saturating_sub(1));
+        view.marked = self.marked.min(grid.len().saturating_sub(1));
         if grid.second.is_none()
             && let Ok(fine) = Grid::new(SweepAxis { steps: LINE, ..grid.first }, None)
         {
@@ -232,163 +220,150 @@ impl App {
     }
 
     /// Goes to another slot.
-    pub(super) fn sweep_move(&mut self, lines: isize) {
-        let state = &mut self.studies.sweep;
-        let at = SLOTS.iter().position(|s| *s == state.slot.1).unwrap_or(0) + 4 * state.slot.0;
-        let count = SLOTS.len() * state.inputs().len();
+    pub(super) fn step(&mut self, lines: isize) {
+        let (axis, slot) = self.slot;
+        let at = axis * SLOTS.len() + slot as usize;
+        let count = SLOTS.len() * self.inputs().len();
         let to = at.saturating_add_signed(lines).min(count - 1);
-        state.slot = (to / SLOTS.len(), SLOTS[to % SLOTS.len()]);
+        self.slot = (to / SLOTS.len(), SLOTS[to % SLOTS.len()]);
     }
 
-    pub(super) fn sweep_ask(&mut self, ask: Ask) {
-        match ask {
-            Ask::NextColumn => self.change_slot(true),
-            Ask::PreviousColumn => self.change_slot(false),
-            Ask::NextValue => {
-                let asked = self.layout().question.force.is_some();
-                let state = &mut self.studies.sweep;
-                let now = state.view.as_ref().map_or(Effect::Force, |view| view.shown);
-                state.shown = Some(neighbour(now, true, asked));
-            }
-            Ask::MarkNext | Ask::MarkPrevious => {
-                let state = &mut self.studies.sweep;
-                let way = if ask == Ask::MarkNext { 1 } else { -1 };
-                state.marked = state.marked.saturating_add_signed(way);
-            }
-            Ask::Two if self.studies.sweep.slot.1 != Slot::Input => {
-                self.type_slot(Some('2'));
-            }
-            Ask::SecondInput | Ask::Two => self.toggle_second(),
-            Ask::Layer => {
-                self.studies.sweep.checks_shown = !self.studies.sweep.checks_shown;
-            }
-            Ask::Adopt => self.adopt_point(),
-            _ => {}
-        }
+    /// Shows the next value. `asked` says whether a design force is set.
+    pub(super) fn show_next(&mut self, asked: bool) {
+        let now = self.view.as_ref().map_or(Effect::Force, |view| view.shown);
+        self.shown = Some(neighbour(now, true, asked));
     }
 
-    fn toggle_second(&mut self) {
-        let state = &mut self.studies.sweep;
-        state.second = match state.second {
+    /// Marks a point further on or back.
+    pub(super) fn mark(&mut self, way: isize) {
+        self.marked = self.marked.saturating_add_signed(way);
+    }
+
+    /// Shows the checks of a map instead of its forecast, or the other way round.
+    pub(super) fn toggle_layer(&mut self) {
+        self.checks_shown = !self.checks_shown;
+    }
+
+    /// Takes a second input, or only one again; what to say.
+    pub(super) fn toggle_second(&mut self) -> String {
+        self.second = match self.second {
             Some(_) => None,
-            None if state.first == Input::Spacing => Some(Input::Punch),
+            None if self.first == Input::Spacing => Some(Input::Punch),
             None => Some(Input::Spacing),
         };
-        state.slot = if state.second.is_some() { (1, Slot::Input) } else { (0, Slot::Input) };
-        state.marked = 0;
-        let said = match state.second {
+        self.marked = 0;
+        self.slot = (usize::from(self.second.is_some()), Slot::Input);
+        match self.second {
             Some(input) => {
                 format!("against {}: arrows choose another; m takes it away", input.symbol())
             }
             None => "one input".to_string(),
-        };
-        self.inform(said);
+        }
     }
 
     /// Changes the chosen slot by an arrow.
-    fn change_slot(&mut self, up: bool) {
-        let Some(case) = self.case(self.selected) else { return };
-        let state = &mut self.studies.sweep;
-        let (axis, slot) = state.slot;
-        let inputs = state.inputs();
-        let Some(input) = inputs.get(axis).copied() else { return };
-        let (from, to) = state.range(input, &case);
+    ///
+    /// # Errors
+    /// Why the value is refused.
+    pub(super) fn change_slot(&mut self, case: &Case, up: bool) -> Result<(), String> {
+        let (axis, slot) = self.slot;
+        let inputs = self.inputs();
+        let Some(input) = inputs.get(axis).copied() else { return Ok(()) };
+        let (from, to) = self.range(input, case);
         let way = if up { 1.0 } else { -1.0 };
-        // At a tenth of a millimetre, as steps of inputs.
-        let moved = |v: f64| ((v + way * step_of(input)) * 1.0e4).round() / 1.0e4;
+        let moved = |v: f64| on_grain(v + way * input.step(StepSize::Fine));
         let changed = match slot {
             Slot::Input => {
-                let taken = inputs.get(1 - axis).copied();
-                let mut at = place(input);
-                loop {
-                    at = (at + if up { 1 } else { Input::VARIED.len() - 1 }) % Input::VARIED.len();
-                    if Some(Input::VARIED[at]) != taken {
-                        break;
-                    }
-                }
+                let next = next_input(input, up, inputs.get(1 - axis).copied());
                 match axis {
-                    0 => state.first = Input::VARIED[at],
-                    _ => state.second = Some(Input::VARIED[at]),
+                    0 => self.first = next,
+                    _ => self.second = Some(next),
                 }
-                return;
+                return Ok(());
             }
             Slot::Steps => {
-                let steps = state.steps[axis].saturating_add_signed(if up { 1 } else { -1 });
-                state.steps[axis] = steps.clamp(2, MOST);
-                return;
+                let steps = self.steps[axis].saturating_add_signed(if up { 1 } else { -1 });
+                self.steps[axis] = steps.clamp(2, MOST);
+                return Ok(());
             }
             Slot::From => (moved(from), to),
             Slot::To => (from, moved(to)),
         };
-        let [a, b] = [changed.0, changed.1].map(|v| input.problem(v));
-        match a.or(b) {
-            Some(problem) => self.complain(problem.to_string()),
-            None => self.studies.sweep.ranges[place(input)] = Some(changed),
+        if let Some(problem) = input.problem(changed.0).or(input.problem(changed.1)) {
+            return Err(problem.to_string());
         }
+        self.ranges.insert(input, changed);
+        Ok(())
     }
 
-    /// Begins to type into the chosen slot.
-    pub(super) fn type_slot(&mut self, first: Option<char>) -> Vec<Command> {
-        let (axis, slot) = self.studies.sweep.slot;
-        let unit = self.units();
-        let Some(view) = &self.studies.sweep.view else { return Vec::new() };
-        let Some(range) = view.axes.get(axis).copied() else { return Vec::new() };
+    /// The text of the chosen slot's value.
+    pub(super) fn slot_text(&self, unit: LengthUnit) -> Option<String> {
+        let (axis, slot) = self.slot;
+        let range = self.view.as_ref()?.axes.get(axis)?;
         let entry = |value: f64| match range.input.is_force() {
             true => shortest(to_kn(value)),
-            false => crate::units::length_entry(value, unit),
+            false => length_entry(value, unit),
         };
-        let text = match (first, slot) {
-            (_, Slot::Input) => {
-                self.inform("Left and Right choose the input; Down goes to its range");
-                return Vec::new();
-            }
-            (Some(c), _) => c.to_string(),
-            (None, Slot::From) => entry(range.from),
-            (None, Slot::To) => entry(range.to),
-            (None, Slot::Steps) => range.steps.to_string(),
-        };
-        self.mode = Mode::Entry(LineEntry::new(EditTarget::Study(Typed::Range(axis, slot)), text));
-        Vec::new()
+        match slot {
+            Slot::Input => None,
+            Slot::From => Some(entry(range.from)),
+            Slot::To => Some(entry(range.to)),
+            Slot::Steps => Some(range.steps.to_string()),
+        }
     }
 
     /// Takes a typed end of a range or a number of values.
     ///
     /// # Errors
     /// Why it is refused.
-    pub(super) fn take_slot(&mut self, axis: usize, slot: Slot, text: &str) -> Result<(), String> {
-        let unit = self.units();
-        let case = self.case(self.selected).ok_or("the mesh of this layout is not known")?;
-        let state = &mut self.studies.sweep;
-        let input = *state.inputs().get(axis).ok_or("there is no second input")?;
+    pub(super) fn take_slot(
+        &mut self,
+        case: &Case,
+        axis: usize,
+        slot: Slot,
+        text: &str,
+        unit: LengthUnit,
+    ) -> Result<(), String> {
+        let input = *self.inputs().get(axis).ok_or("there is no second input")?;
         if slot == Slot::Steps {
             let steps = text.trim().parse::<usize>().ok().filter(|n| (2..=MOST).contains(n));
-            state.steps[axis.min(1)] = steps.ok_or(format!("2 to {MOST} values"))?;
+            self.steps[axis.min(1)] = steps.ok_or(format!("2 to {MOST} values"))?;
             return Ok(());
         }
         let value = read(input, text, unit)?;
         if let Some(problem) = input.problem(value) {
             return Err(problem.to_string());
         }
-        let (from, to) = state.range(input, &case);
+        let (from, to) = self.range(input, case);
         let changed = if slot == Slot::From { (value, to) } else { (from, value) };
         if changed.0 == changed.1 {
             return Err("the range is empty: it ends where it begins".into());
         }
-        state.ranges[place(input)] = Some(changed);
+        self.ranges.insert(input, changed);
         Ok(())
     }
 
-    /// Takes the marked point's values into the layout.
-    fn adopt_point(&mut self) {
-        let Some(view) = &self.studies.sweep.view else { return };
-        let Some(grid) = &view.grid else { return };
-        let case = grid.case(&view.case, view.marked);
-        let words: Vec<&str> = view.axes.iter().map(|axis| axis.input.symbol()).collect();
+    /// The layout at the marked point, and the symbols of what varies; nothing without points.
+    pub(super) fn point(&self) -> Option<Result<(Case, String), &'static str>> {
+        let view = self.view.as_ref()?;
+        let grid = view.grid.as_ref()?;
         if view.axes.iter().any(|axis| axis.input.is_laboratory()) {
-            return self.complain("the laboratory values are the mesh's, not the layout's");
+            return Some(Err("the laboratory values are the mesh's, not the layout's"));
         }
-        self.take_into_layout(case, &words.join(", "));
+        let words: Vec<&str> = view.axes.iter().map(|axis| axis.input.symbol()).collect();
+        Some(Ok((grid.case(&view.case, view.marked), words.join(", "))))
     }
+}
+
+/// The input after or before one, round and round; `taken` is passed over.
+fn next_input(input: Input, up: bool, taken: Option<Input>) -> Input {
+    let mut ring: Vec<Input> = Input::VARIED.to_vec();
+    if !up {
+        ring.reverse();
+    }
+    let behind = ring.iter().skip_while(|other| **other != input).skip(1);
+    let mut round = behind.chain(&ring).filter(|other| Some(**other) != taken);
+    round.next().copied().unwrap_or(input)
 }
 
 /// Reads a typed value of an input, SI.

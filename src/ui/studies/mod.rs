@@ -41,8 +41,8 @@ pub(crate) fn draw(
 /// How far the campaign of a page is, in a line.
 pub(crate) fn progress(app: &App) -> Option<String> {
     let running = app.campaign()?;
-    let (word, total) = (running.purpose.page.word(), running.total());
-    let Some(p) = &running.progress else {
+    let (word, total) = (running.page().word(), running.total());
+    let Some(p) = running.progress() else {
         return Some(format!("{word}: {total} checks begin; Esc ends them"));
     };
     Some(format!(

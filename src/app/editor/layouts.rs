@@ -1,11 +1,13 @@
 //! Edits of a layout and of the list of layouts; each is one step of undo.
 
-use super::App;
+use super::Editor;
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
-use crate::layout::{self, BranchRule};
+use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{MeshType, REFERENCE_ID};
+use crate::problem;
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
+use crate::units::LengthUnit;
 use std::sync::Arc;
 
 /// A choice of mesh: the type, and whether the project already names it.
@@ -17,25 +19,44 @@ pub(crate) struct MeshChoice {
     pub(crate) inline: bool,
 }
 
-impl App {
+impl Editor {
     /// Steps the selected input up or down.
-    pub(super) fn step_field(&mut self, size: StepSize, up: bool) {
+    ///
+    /// # Errors
+    /// What the input may be, where the step leads out of that.
+    pub(in crate::app) fn step_field(&mut self, size: StepSize, up: bool) -> Result<(), String> {
         let field = self.field;
         let value = match self.layout().get(field) {
             Some(value) => field.stepped(value, &self.layout().layout, size, up),
             None => self.first_value(field),
         };
-        if let Err(refusal) = field.check(value, &self.layout().layout, self.units()) {
-            return self.complain(refusal);
-        }
+        field.check(value, &self.layout().layout, self.units())?;
         self.set_field(Some(value));
+        Ok(())
     }
 
     /// Sets the selected input to a checked value, or clears it.
-    pub(super) fn set_field(&mut self, value: Option<f64>) {
+    pub(in crate::app) fn set_field(&mut self, value: Option<f64>) {
         let (field, selected) = (self.field, self.selected);
         let label = format!("{} of {}", field.word(), self.layout().name);
         self.edit(label, |project| project.layouts[selected].set(field, value));
+    }
+
+    /// The text of an input's value; empty where it is not set.
+    pub(in crate::app) fn field_text(&self, field: Input) -> String {
+        let value = self.layout().get(field);
+        value.map_or(String::new(), |value| field.entry_text(value, self.units()))
+    }
+
+    /// Selects an input and sets it to what was typed.
+    ///
+    /// # Errors
+    /// Why the text is refused.
+    pub(in crate::app) fn read_field(&mut self, field: Input, text: &str) -> Result<(), String> {
+        let value = field.read(text, &self.layout().layout, self.units())?;
+        self.select_field(field);
+        self.set_field(value);
+        Ok(())
     }
 
     /// Where an optional input starts: three quarters of what the panel takes, rounded to a step.
@@ -52,44 +73,53 @@ impl App {
         on_grain(steps * step)
     }
 
-    /// Adds a layout at the reference point after the selected one, with the same mesh.
-    pub(super) fn add_layout(&mut self) {
+    /// Adds a layout at the reference point after the selected one, with the same mesh; what to say.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub(in crate::app) fn add_layout(&mut self) -> Result<String, String> {
         let name = self.project.free_name("layout");
         let mesh = self.layout().mesh.clone();
-        self.insert(NamedLayout::new(name, layout::REFERENCE, mesh), "added");
+        self.insert(NamedLayout::new(name, layout::REFERENCE, mesh), "added")
     }
 
-    /// Copies the selected layout after itself.
-    pub(super) fn duplicate_layout(&mut self) {
+    /// Copies the selected layout after itself; what to say.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub(in crate::app) fn duplicate_layout(&mut self) -> Result<String, String> {
         let name = self.project.free_name(&self.layout().name);
         let copy = self.layout().duplicate(name);
-        self.insert(copy, "copied to");
+        self.insert(copy, "copied to")
     }
 
-    fn insert(&mut self, layout: NamedLayout, verb: &str) {
+    fn insert(&mut self, layout: NamedLayout, verb: &str) -> Result<String, String> {
         if self.project.layouts.len() >= MOST_LAYOUTS {
-            return self.complain(format!("a project holds at most {MOST_LAYOUTS} layouts"));
+            return Err(format!("a project holds at most {MOST_LAYOUTS} layouts"));
         }
         let (name, at) = (layout.name.clone(), self.selected + 1);
         self.edit(format!("{name} {verb}"), |project| project.layouts.insert(at, layout));
         self.selected = at;
-        self.inform(format!("{verb} {name}; r renames it"));
+        Ok(format!("{verb} {name}; r renames it"))
     }
 
-    /// Deletes the selected layout, unless it is the last one.
-    pub(super) fn delete_layout(&mut self) {
+    /// Deletes the selected layout; what to say.
+    ///
+    /// # Errors
+    /// It is the last one.
+    pub(in crate::app) fn delete_layout(&mut self) -> Result<String, String> {
         if self.project.layouts.len() == 1 {
-            return self.complain("a project keeps at least one layout");
+            return Err("a project keeps at least one layout".into());
         }
         let (name, at) = (self.layout().name.clone(), self.selected);
         self.edit(format!("{name} deleted"), |project| {
             project.layouts.remove(at);
         });
-        self.inform(format!("deleted {name}; u brings it back"));
+        Ok(format!("deleted {name}; u brings it back"))
     }
 
     /// Moves the selected layout one place up or down the list.
-    pub(super) fn move_layout(&mut self, down: bool) {
+    pub(in crate::app) fn move_layout(&mut self, down: bool) {
         let at = self.selected;
         let to = if down { at + 1 } else { at.wrapping_sub(1) };
         if to >= self.project.layouts.len() {
@@ -104,7 +134,7 @@ impl App {
     ///
     /// # Errors
     /// Why the name cannot be used.
-    pub(super) fn rename_layout(&mut self, name: &str) -> Result<(), String> {
+    pub(in crate::app) fn rename_layout(&mut self, name: &str) -> Result<(), String> {
         let name = name.trim();
         let at = self.selected;
         if name.is_empty() {
@@ -123,18 +153,21 @@ impl App {
     }
 
     /// Sets the note of the selected layout.
-    pub(super) fn set_note(&mut self, note: &str) {
+    pub(in crate::app) fn set_note(&mut self, note: &str) {
         let at = self.selected;
         let label = format!("note of {}", self.layout().name);
         self.edit(label, |project| project.layouts[at].note = note.trim().to_string());
     }
 
-    /// Marks the selected layout for overlay, or unmarks it.
-    pub(super) fn toggle_overlay(&mut self) {
+    /// Marks the selected layout for overlay, or unmarks it; what to say.
+    ///
+    /// # Errors
+    /// There are too many.
+    pub(in crate::app) fn toggle_overlay(&mut self) -> Result<String, String> {
         let at = self.selected;
         let marked = self.project.layouts.iter().filter(|l| l.overlay).count();
         if !self.layout().overlay && marked >= MOST_OVERLAYS {
-            return self.complain(format!(
+            return Err(format!(
                 "at most {MOST_OVERLAYS} curves are overlaid; press o on one of them first"
             ));
         }
@@ -144,15 +177,14 @@ impl App {
             layout.overlay = !layout.overlay;
         });
         let name = self.layout().name.clone();
-        if self.layout().overlay {
-            self.inform(format!("{name} stays on the chart; select another layout to compare"));
-        } else {
-            self.inform(format!("{name} is no longer overlaid"));
-        }
+        Ok(match self.layout().overlay {
+            true => format!("{name} stays on the chart; select another layout to compare"),
+            false => format!("{name} is no longer overlaid"),
+        })
     }
 
-    /// Switches the branch rule of the selected layout.
-    pub(super) fn toggle_branch(&mut self) {
+    /// Switches the branch rule of the selected layout; what to say.
+    pub(in crate::app) fn toggle_branch(&mut self) -> &'static str {
         let at = self.selected;
         let rule = match self.layout().branch {
             BranchRule::Published => BranchRule::Conservative,
@@ -160,20 +192,20 @@ impl App {
         };
         let label = format!("branch of {}", self.layout().name);
         self.edit(label, |project| project.layouts[at].branch = rule);
-        self.inform(match rule {
+        match rule {
             BranchRule::Published => "branch of A.1-A.2 as published: by D <= d",
             BranchRule::Conservative => "conservative: the branch of A.1-A.2 with the lower force",
-        });
+        }
     }
 
     /// Sets the unit of lengths, kept in the project.
-    pub(super) fn set_units(&mut self, unit: crate::units::LengthUnit) {
+    pub(in crate::app) fn set_units(&mut self, unit: LengthUnit) {
         self.units = None;
         self.edit("units", |project| project.display.length_unit = unit);
     }
 
     /// The meshes to choose from: the project's own first, then the catalogue.
-    pub(crate) fn meshes(&self) -> Vec<MeshChoice> {
+    pub(in crate::app) fn meshes(&self) -> Vec<MeshChoice> {
         let written_out = |id: &str| {
             self.project.meshes.iter().any(|m| matches!(m, MeshUse::Inline(mesh) if mesh.id == id))
         };
@@ -185,7 +217,7 @@ impl App {
     ///
     /// # Errors
     /// That there is no such mesh, with the known ones.
-    pub(super) fn set_mesh(&mut self, id: &str) -> Result<(), String> {
+    pub(in crate::app) fn set_mesh(&mut self, id: &str) -> Result<(), String> {
         let choices = self.meshes();
         if !choices.iter().any(|c| c.mesh.id == id) {
             let known: Vec<&str> = choices.iter().map(|c| c.mesh.id.as_str()).collect();
@@ -202,6 +234,42 @@ impl App {
                 }
                 project.meshes.push(MeshUse::Catalogue(id.to_string()));
             }
+        });
+        Ok(())
+    }
+
+    /// Gives the selected layout other sizes, as an edit; what to say.
+    ///
+    /// # Errors
+    /// The sizes do not go together.
+    pub(in crate::app) fn take_sizes(
+        &mut self,
+        sizes: Layout,
+        words: &str,
+    ) -> Result<String, String> {
+        sizes.check().map_err(|problems| problem::summary(&problems))?;
+        let (at, name) = (self.selected, self.layout().name.clone());
+        let label = format!("{words} of {name}");
+        Ok(match self.edit(label, |project| project.layouts[at].layout = sizes) {
+            true => format!("{words} of {name} set; u undoes it"),
+            false => format!("{name} is like that already"),
+        })
+    }
+
+    /// Names the project or its site.
+    ///
+    /// # Errors
+    /// Why the text cannot be used.
+    pub(in crate::app) fn name_project(&mut self, word: &str, text: &str) -> Result<(), String> {
+        if text.is_empty() && word == "name" {
+            return Err("a project needs a name".into());
+        }
+        if text.chars().count() > LONGEST_NAME {
+            return Err(format!("at most {LONGEST_NAME} characters"));
+        }
+        self.edit(format!("{word} of the project"), |project| match word {
+            "name" => project.name = text.to_string(),
+            _ => project.site = text.to_string(),
         });
         Ok(())
     }

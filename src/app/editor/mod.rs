@@ -1,0 +1,248 @@
+//! The project being edited: what stands in it, what follows from it, what can be undone, and which
+//! layout and input are selected.
+//!
+//! [`layouts`] has the edits of a layout and of the list of layouts, [`history`] undo and redo.
+
+mod history;
+mod layouts;
+
+pub(super) use history::History;
+pub(super) use layouts::MeshChoice;
+
+use super::derived::{self, LayoutResult};
+use crate::case::{Case, Input};
+use crate::project::schema::{NamedLayout, Project};
+use crate::study::result::CheckResult;
+use crate::units::LengthUnit;
+use history::HistoryStep;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The editor's part of the state.
+#[derive(Debug)]
+pub(super) struct Editor {
+    project: Arc<Project>,
+    saved: Arc<Project>,
+    path: Option<PathBuf>,
+    history: History,
+    selected: usize,
+    field: Input,
+    results: Vec<LayoutResult>,
+    /// A unit asked for beside the project: it is not the project's and never saved.
+    units: Option<LengthUnit>,
+}
+
+impl Editor {
+    /// A project as it stands in its file.
+    pub(super) fn new(
+        project: Arc<Project>,
+        path: Option<PathBuf>,
+        units: Option<LengthUnit>,
+    ) -> Editor {
+        Editor {
+            results: derived::all(&project),
+            saved: project.clone(),
+            project,
+            path,
+            history: History::default(),
+            selected: 0,
+            field: Input::Plate,
+            units,
+        }
+    }
+
+    /// The project as it stands.
+    pub(super) fn project(&self) -> &Arc<Project> {
+        &self.project
+    }
+
+    /// Its file, if it has one.
+    pub(super) fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Whether there are edits that are not saved.
+    pub(super) fn edited(&self) -> bool {
+        !Arc::ptr_eq(&self.project, &self.saved) && *self.project != *self.saved
+    }
+
+    /// A project was written to a file, as it was then.
+    pub(super) fn saved(&mut self, project: Arc<Project>, path: PathBuf) {
+        self.saved = project;
+        self.path = Some(path);
+    }
+
+    /// The layouts.
+    pub(super) fn layouts(&self) -> &[NamedLayout] {
+        &self.project.layouts
+    }
+
+    /// Index of the selected layout; there always is one.
+    pub(super) fn selected(&self) -> usize {
+        self.selected
+    }
+
+    /// The selected layout.
+    pub(super) fn layout(&self) -> &NamedLayout {
+        &self.project.layouts[self.selected]
+    }
+
+    /// The selected input.
+    pub(super) fn field(&self) -> Input {
+        self.field
+    }
+
+    /// What follows from each layout, in the order of the list.
+    pub(super) fn results(&self) -> &[LayoutResult] {
+        &self.results
+    }
+
+    /// What follows from the selected layout.
+    pub(super) fn result(&self) -> &LayoutResult {
+        &self.results[self.selected]
+    }
+
+    /// A layout as a case; nothing where its mesh is not known.
+    pub(super) fn case(&self, index: usize) -> Option<&Case> {
+        self.results.get(index)?.case.as_ref()
+    }
+
+    /// Unit of lengths on the screen.
+    pub(super) fn units(&self) -> LengthUnit {
+        self.units.unwrap_or(self.project.display.length_unit)
+    }
+
+    /// Shows lengths in a unit beside the project's own, or in that again.
+    pub(super) fn show_units(&mut self, units: Option<LengthUnit>) {
+        self.units = units;
+    }
+
+    /// The history of edits.
+    pub(super) fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Selects a layout; one that there is not leaves the selection.
+    pub(super) fn select(&mut self, index: usize) {
+        if index < self.project.layouts.len() {
+            self.selected = index;
+        }
+    }
+
+    /// Selects the next or the previous layout, round and round.
+    pub(super) fn select_neighbour(&mut self, next: bool) {
+        let count = self.project.layouts.len();
+        self.selected = (self.selected + if next { 1 } else { count - 1 }) % count;
+    }
+
+    /// Selects an input.
+    pub(super) fn select_field(&mut self, field: Input) {
+        self.field = field;
+    }
+
+    /// Selects the input below or above, if there is one.
+    pub(super) fn select_next_field(&mut self, down: bool) {
+        let fields = Input::LAYOUT;
+        let next = fields.windows(2).find_map(|pair| match down {
+            true => (pair[0] == self.field).then_some(pair[1]),
+            false => (pair[1] == self.field).then_some(pair[0]),
+        });
+        self.field = next.unwrap_or(self.field);
+    }
+
+    /// Makes the forecasts anew.
+    fn derive(&mut self) {
+        self.selected = self.selected.min(self.project.layouts.len().saturating_sub(1));
+        self.results = derived::all(&self.project);
+    }
+
+    /// The present as a step of the history.
+    fn step(&self, label: String) -> HistoryStep {
+        HistoryStep {
+            project: self.project.clone(),
+            selected: self.selected,
+            field: self.field,
+            label,
+        }
+    }
+
+    /// Makes an edit that can be undone. An edit that changes nothing leaves no trace; whether it
+    /// changed something.
+    fn edit(&mut self, label: impl Into<String>, change: impl FnOnce(&mut Project)) -> bool {
+        let mut project = (*self.project).clone();
+        change(&mut project);
+        let changed = project != *self.project;
+        if changed {
+            let before = self.step(label.into());
+            self.history.record(before);
+            self.project = Arc::new(project);
+            self.derive();
+        }
+        changed
+    }
+
+    /// Takes back edits kept from a lost session, as an edit.
+    pub(super) fn restore(&mut self, kept: &Project) {
+        self.edit("kept edits taken back", |project| *project = kept.clone());
+    }
+
+    /// Undoes the last edit; what to say.
+    pub(super) fn undo(&mut self) -> String {
+        let now = self.step(String::new());
+        match self.history.undo(|label| HistoryStep { label, ..now }) {
+            Some(step) => {
+                let left = self.history.undo_depth();
+                let said = format!("undone: {} ({left} more)", step.label);
+                self.go_to(step);
+                said
+            }
+            None => "nothing to undo".into(),
+        }
+    }
+
+    /// Does again what was undone; what to say.
+    pub(super) fn redo(&mut self) -> String {
+        let now = self.step(String::new());
+        match self.history.redo(|label| HistoryStep { label, ..now }) {
+            Some(step) => {
+                let left = self.history.redo_depth();
+                let said = format!("redone: {} ({left} more)", step.label);
+                self.go_to(step);
+                said
+            }
+            None => "nothing to redo".into(),
+        }
+    }
+
+    fn go_to(&mut self, step: HistoryStep) {
+        self.project = self.with_checks(step.project);
+        self.selected = step.selected;
+        self.field = step.field;
+        self.derive();
+    }
+
+    /// Keeps the result of a check beside its layout. That is no step of undo.
+    pub(super) fn keep_check(&mut self, index: usize, result: CheckResult) {
+        let mut project = (*self.project).clone();
+        if let Some(layout) = project.layouts.get_mut(index) {
+            layout.check = Some(Arc::new(result));
+            self.project = Arc::new(project);
+        }
+    }
+
+    /// Another state of the project with the results of checks that there are now.
+    fn with_checks(&self, other: Arc<Project>) -> Arc<Project> {
+        let newer = |uid: u64| self.project.layouts.iter().find(|l| l.uid == uid);
+        let differs = |l: &NamedLayout| newer(l.uid).is_some_and(|now| now.check != l.check);
+        if !other.layouts.iter().any(differs) {
+            return other;
+        }
+        let mut project = (*other).clone();
+        for layout in &mut project.layouts {
+            if let Some(now) = newer(layout.uid) {
+                layout.check = now.check.clone();
+            }
+        }
+        Arc::new(project)
+    }
+}
