@@ -8,6 +8,7 @@ use crate::case::NO_FIELD_VALUE;
 use crate::problem::summary;
 use crate::project::schema::NamedLayout;
 use crate::show::layouts::{self, LayoutParts, LayoutRow};
+use crate::show::say;
 use crate::units::{force_text, length_text, significant, to_kn};
 
 /// What is said when something was sent; nobody tells whether the terminal took it.
@@ -68,11 +69,7 @@ impl App {
             (Err(problems), _) => summary(problems),
             (_, None) => NO_FIELD_VALUE.into(),
             (Ok(derived), Some(field)) => {
-                let mut text = format!(
-                    "F_a {}, delta_a {}",
-                    force_text(field.values.force),
-                    m(field.values.deflection)
-                );
+                let mut text = say::values(field.values, self.units());
                 if let Some(a) = self.result().answer().and_then(|d| d.at_force) {
                     text += &format!(", {} at {} kN", a.use_text(), significant(to_kn(a.load), 3));
                 }

@@ -97,7 +97,7 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
             };
             let file_name = opened.document.title();
             let checks: Vec<Option<Check>> =
-                cases.iter().map(|case| Check::of(case, unit, &file_name)).collect();
+                cases.iter().map(|case| Check::from_kept(case, unit, &file_name)).collect();
             let series: Vec<Series<'_>> = cases
                 .iter()
                 .zip(&checks)

@@ -40,7 +40,7 @@ pub(crate) fn run(args: &ReportArgs, ui: &UiFlags) -> CommandEnd {
     let file_name = opened.document.title();
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
     let checks: Vec<Option<Check>> =
-        cases.iter().map(|case| Check::of(case, unit, &file_name)).collect();
+        cases.iter().map(|case| Check::from_kept(case, unit, &file_name)).collect();
     let report = Report {
         project: &opened.project,
         cases: &cases,

@@ -32,7 +32,7 @@ impl Wires {
     ///
     /// # Errors
     /// A mesh without wire data where no file stands in for them.
-    pub(crate) fn of(&self, mesh: &MeshType) -> Result<WireData, Fault> {
+    pub(crate) fn for_mesh(&self, mesh: &MeshType) -> Result<WireData, Fault> {
         let Some(wire) = self.file.as_ref().or(mesh.wire.as_ref()) else {
             return Err(Fault::input(without_wire(mesh)));
         };

@@ -43,7 +43,11 @@ pub struct Check {
 impl Check {
     /// The check that the project keeps of a case's layout, if it keeps one. Lengths in the notes are
     /// shown in `unit`; `file_name` is the project's, for the command that makes it again.
-    pub(crate) fn of(case: &ExportedLayout, unit: LengthUnit, file_name: &str) -> Option<Check> {
+    pub(crate) fn from_kept(
+        case: &ExportedLayout,
+        unit: LengthUnit,
+        file_name: &str,
+    ) -> Option<Check> {
         let v = case.entry.check.as_deref()?;
         let stale = !current(case, v);
         let runs = if v.runs == 1 { "1 run".to_string() } else { format!("{} runs", v.runs) };

@@ -118,7 +118,7 @@ impl ExportKind {
             _ => exported(project)?,
         };
         let checks: Vec<Option<Check>> =
-            all.iter().map(|case| Check::of(case, unit, source.file_name)).collect();
+            all.iter().map(|case| Check::from_kept(case, unit, source.file_name)).collect();
         let series = || -> Vec<Series<'_>> {
             all.iter()
                 .zip(&checks)

@@ -4,7 +4,7 @@
 //! A check's columns begin with `check_`; in JSON they are an object `check` with the same names behind
 //! that.
 
-use super::value::{Column, Value, kn};
+use super::value::{NamedColumn, Value, kn};
 use crate::case::{CasePoint, CaseValue, Input, Question};
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
@@ -63,7 +63,7 @@ impl<'a> From<&'a CompareRow> for PointRow<'a> {
 
 /// Force, deflection and utilisation; deflection at the factored design force; why there is nothing;
 /// what is warned of.
-pub(crate) fn point<'a>() -> [Column<PointRow<'a>>; 6] {
+pub(crate) fn point<'a>() -> [NamedColumn<PointRow<'a>>; 6] {
     [
         ("F_kN", |p| p.values.map(|v| to_kn(v.force)).into()),
         ("delta_m", |p| p.values.map(|v| v.deflection).into()),
@@ -80,12 +80,12 @@ pub(crate) fn codes(warnings: &[Warning]) -> Value {
 }
 
 /// The ratios of the mesh.
-pub(crate) const RATIOS: [Column<Forecast>; 2] =
+pub(crate) const RATIOS: [NamedColumn<Forecast>; 2] =
     [("alpha_F", |f| f.ratios.force.into()), ("alpha_delta", |f| f.ratios.deflection.into())];
 
 /// What a field forecast says of its failure point besides force and deflection. In the periodic cell
 /// each anchor carries the whole force of its cell.
-pub(crate) const STIFFNESS: [Column<Field>; 4] = [
+pub(crate) const STIFFNESS: [NamedColumn<Field>; 4] = [
     ("anchor_kN", |f| kn(f.values.force)),
     ("secant_kN_per_m", |f| kn(f.secant_at(f.values.deflection))),
     ("tangent_kN_per_m", |f| kn(f.tangent_at(f.values.deflection))),
@@ -93,7 +93,7 @@ pub(crate) const STIFFNESS: [Column<Field>; 4] = [
 ];
 
 /// Field values over laboratory values.
-pub(crate) const OVER_LAB: [Column<Forecast>; 2] = [
+pub(crate) const OVER_LAB: [NamedColumn<Forecast>; 2] = [
     ("F_field_over_lab", |f| f.force_over_lab().into()),
     ("delta_field_over_lab", |f| f.deflection_over_lab().into()),
 ];
@@ -104,7 +104,7 @@ pub(crate) fn input(input: Input, value: f64) -> Value {
 }
 
 /// How the values of a case move with an input.
-pub(crate) const CHANGE: [Column<Change>; 4] = [
+pub(crate) const CHANGE: [NamedColumn<Change>; 4] = [
     ("change_F_kN", |c| kn(c.force)),
     ("change_delta_m", |c| c.deflection.into()),
     ("change_utilisation", |c| c.utilisation.into()),
@@ -140,7 +140,7 @@ impl<'a> CheckRow<'a> {
 }
 
 /// Mean force and deflection at the first break of a check, and the utilisation by that force.
-pub(crate) fn check_mean<'a>() -> [Column<CheckRow<'a>>; 3] {
+pub(crate) fn check_mean<'a>() -> [NamedColumn<CheckRow<'a>>; 3] {
     [
         ("check_F_kN", |c| c.read(|f| f.mean.map(|v| to_kn(v.force)))),
         ("check_delta_m", |c| c.read(|f| f.mean.map(|v| v.deflection))),
@@ -149,18 +149,18 @@ pub(crate) fn check_mean<'a>() -> [Column<CheckRow<'a>>; 3] {
 }
 
 /// How many runs a check has.
-pub(crate) fn check_runs<'a>() -> Column<CheckRow<'a>> {
+pub(crate) fn check_runs<'a>() -> NamedColumn<CheckRow<'a>> {
     ("check_runs", |c| c.result.map(|v| v.runs).into())
 }
 
 /// How well it was made.
-pub(crate) fn check_fidelity<'a>() -> Column<CheckRow<'a>> {
+pub(crate) fn check_fidelity<'a>() -> NamedColumn<CheckRow<'a>> {
     ("check_fidelity", |c| c.result.map(|v| v.wanted.fidelity.word()).into())
 }
 
 /// What a table says of a check behind its means: band, standard errors, difference from the forecast
 /// in per cent, runs.
-pub(crate) fn check_more<'a>() -> [Column<CheckRow<'a>>; 11] {
+pub(crate) fn check_more<'a>() -> [NamedColumn<CheckRow<'a>>; 11] {
     [
         ("check_F_low_kN", |c| c.read(|f| f.force_band.map(|b| to_kn(b[0])))),
         ("check_F_high_kN", |c| c.read(|f| f.force_band.map(|b| to_kn(b[1])))),
@@ -177,7 +177,7 @@ pub(crate) fn check_more<'a>() -> [Column<CheckRow<'a>>; 11] {
 }
 
 /// How the means of a check move with an input, and their standard errors.
-pub(crate) const CHECK_CHANGE: [Column<CheckChange>; 6] = [
+pub(crate) const CHECK_CHANGE: [NamedColumn<CheckChange>; 6] = [
     ("check_change_F_kN", |c| kn(c.force.value)),
     ("check_change_delta_m", |c| c.deflection.value.into()),
     ("check_change_utilisation", |c| c.utilisation.map(|k| k.value).into()),

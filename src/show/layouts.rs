@@ -5,7 +5,7 @@ use super::columns::{
     point,
 };
 use super::table::Table;
-use super::value::{Column, Value, kn};
+use super::value::{NamedColumn, Value, kn};
 use crate::VERSION;
 use crate::case::{Case, Derived, Input, Question};
 use crate::forecast::design::Answer;
@@ -63,7 +63,7 @@ impl<'a> From<LayoutRow<'a>> for LayoutParts<'a> {
 }
 
 /// What the forecast is made of.
-const FORECAST: [Column<Forecast>; 11] = [
+const FORECAST: [NamedColumn<Forecast>; 11] = [
     ("branch", |f| f.rule.word().into()),
     ("F_l_kN", |f| kn(f.laboratory.force)),
     ("delta_l_m", |f| f.laboratory.deflection.into()),
@@ -78,22 +78,23 @@ const FORECAST: [Column<Forecast>; 11] = [
 ];
 
 /// How the field values are found.
-const RELATION: [Column<Field>; 2] =
+const RELATION: [NamedColumn<Field>; 2] =
     [("regime", |f| f.regime.word().into()), ("relation", |f| f.branch.word().into())];
 
 /// The field values of the other branch.
-const OTHER: [Column<Field>; 2] = [
+const OTHER: [NamedColumn<Field>; 2] = [
     ("other_branch_F_kN", |f| f.other_branch.map(|v| to_kn(v.force)).into()),
     ("other_branch_delta_m", |f| f.other_branch.map(|v| v.deflection).into()),
 ];
 
 /// The answer to the design force.
-const LOAD: [Column<Answer>; 1] = [("load_kN", |a| a.at_force.map(|at| to_kn(at.load)).into())];
-const MARGIN: [Column<Answer>; 1] =
+const LOAD: [NamedColumn<Answer>; 1] =
+    [("load_kN", |a| a.at_force.map(|at| to_kn(at.load)).into())];
+const MARGIN: [NamedColumn<Answer>; 1] =
     [("margin_kN", |a| a.at_force.map(|at| to_kn(at.margin)).into())];
 
 /// The answer to the allowable deflection.
-const ALLOWABLE: [Column<Answer>; 3] = [
+const ALLOWABLE: [NamedColumn<Answer>; 3] = [
     ("allowable_F_kN", |a| a.at_deflection.map(|at| to_kn(at.force)).into()),
     ("allowable_design_F_kN", |a| a.at_deflection.map(|at| to_kn(at.design_force)).into()),
     ("allowable_energy_kJ", |a| a.at_deflection.map(|at| to_kj(at.energy)).into()),

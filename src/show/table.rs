@@ -1,6 +1,6 @@
 //! Tables that programs read: columns by their names, rows, and the two as CSV or as JSON objects.
 
-use super::value::{Column, Object, Value};
+use super::value::{NamedColumn, Object, Value};
 use csv::{Terminator, WriterBuilder};
 
 /// A column with what stands in it, from any part of a row.
@@ -30,7 +30,7 @@ impl<'t, R: 't> Table<'t, R> {
     /// With columns of a part of the row; empty where the row has no such part.
     pub(crate) fn part<P: 't>(
         self,
-        columns: impl IntoIterator<Item = Column<P>>,
+        columns: impl IntoIterator<Item = NamedColumn<P>>,
         part: impl Fn(&R) -> Option<&P> + Copy + 't,
     ) -> Table<'t, R> {
         columns.into_iter().fold(self, |table, (name, get)| {

@@ -138,7 +138,7 @@ impl Value {
 }
 
 /// A column of a result: its name with the unit, and what stands in it.
-pub(crate) type Column<R> = (&'static str, fn(&R) -> Value);
+pub(crate) type NamedColumn<R> = (&'static str, fn(&R) -> Value);
 
 /// Named values in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -165,7 +165,7 @@ impl Object {
     }
 
     /// With some columns of a row.
-    pub(crate) fn columns<R>(self, columns: &[Column<R>], row: &R) -> Object {
+    pub(crate) fn columns<R>(self, columns: &[NamedColumn<R>], row: &R) -> Object {
         columns.iter().fold(self, |object, (name, get)| object.with(name, get(row)))
     }
 

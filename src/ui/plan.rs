@@ -24,7 +24,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let plan = Rect { x: room.x + 1, y: room.y, width: rows * 2, height: rows };
     let mut grid = DotGrid::new(usize::from(plan.width), usize::from(plan.height), theme.glyphs);
     let layout = app.layout().layout;
-    let view = View::of(&layout, &grid);
+    let view = View::new(&layout, &grid);
     contours::draw(app, view.reach, &mut grid);
     punch(&layout, &view, &mut grid);
     plates(&layout, &view, &mut grid);
@@ -62,7 +62,7 @@ struct View {
 }
 
 impl View {
-    fn of(layout: &Layout, grid: &DotGrid) -> View {
+    fn new(layout: &Layout, grid: &DotGrid) -> View {
         let (w, h) = grid.dots();
         View { reach: layout.spacing + layout.plate, width: f64::from(w), height: f64::from(h) }
     }

@@ -135,7 +135,7 @@ fn prepare(
     let spec = SceneSpec {
         layout: case.layout,
         test: args.test,
-        wire: wires.of(&case.mesh)?,
+        wire: wires.for_mesh(&case.mesh)?,
         phase: plan.phase.unwrap_or(PLAIN_PHASE),
         seed: plan.seed,
     };

@@ -3,8 +3,11 @@
 use super::Compared;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{NAME, Page, cut, percent};
+use crate::show::comparison::over;
+use crate::show::effect::{deflection, number};
 use crate::study::checks::figures::Figures;
-use crate::units::{LengthUnit, significant, to_kn};
+use crate::study::sensitivity::Effect;
+use crate::units::{significant, to_kn};
 
 /// The table of the checks with what to know of them; nothing where none were asked for.
 pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
@@ -35,12 +38,7 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
         };
         let f = Figures::of(result, row.values().ok(), &row.case.question);
         let none = || "-".to_string();
-        let over = |part: Option<f64>| part.map_or_else(none, |v| format!("{:+.1}", 100.0 * v));
-        let length = |v: f64| match unit {
-            LengthUnit::Metre => format!("{v:.3}"),
-            LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
-        };
-        let kn = |v: f64| significant(to_kn(v), 3);
+        let kn = |v: f64| number(v, Effect::Force, unit);
         let band =
             f.force_band.map_or_else(none, |[low, high]| format!("{}-{}", kn(low), kn(high)));
         page.lines.push(format!(
@@ -49,7 +47,7 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
             f.mean.map_or_else(|| "none".into(), |v| kn(v.force)),
             f.error.map_or_else(none, |e| significant(to_kn(e.force), 2)),
             over(f.difference.map(|d| d.force)),
-            f.mean.map_or_else(none, |v| length(v.deflection)),
+            f.mean.map_or_else(none, |v| deflection(v.deflection, unit)),
             over(f.difference.map(|d| d.deflection)),
             f.utilisation.map_or_else(none, percent),
         ));

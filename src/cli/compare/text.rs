@@ -3,10 +3,25 @@
 use super::{Compared, both, mark};
 use crate::case::Derived;
 use crate::cli::VERSION;
-use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut, percent};
+use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut};
 use crate::remark::Weight;
-use crate::study::compare::{CompareRow, Comparison};
-use crate::units::{LengthUnit, force_text, significant, to_kn};
+use crate::show::comparison::{self, width};
+use crate::study::compare::{Column, CompareRow, Comparison};
+use crate::units::{LengthUnit, force_text};
+
+/// Columns of the table behind the name.
+const COLUMNS: [Column; 10] = [
+    Column::Plate,
+    Column::Spacing,
+    Column::Punch,
+    Column::OffsetX,
+    Column::OffsetY,
+    Column::Force,
+    Column::Deflection,
+    Column::ForceRatio,
+    Column::DeflectionRatio,
+    Column::Utilisation,
+];
 
 /// The table with its notes.
 pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
@@ -21,21 +36,19 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> 
     );
     meshes(&mut page, c);
     page.lines.push(String::new());
-    page.lines.push(format!(
-        "  {:<NAME$}{:>6}{:>6}{:>6}{:>6}{:>6}{:>7}{:>7}{:>6}{:>6}{:>6}",
-        "layout", "d", "L", "D", "ex", "ey", "F_a", "delta", "F/Fl", "d/dl", "use"
-    ));
-    let u = unit.symbol();
-    page.lines.push(format!(
-        "  {:<NAME$}{u:>6}{u:>6}{u:>6}{u:>6}{u:>6}{:>7}{u:>7}{:>6}{:>6}{:>6}",
-        "", "kN", "", "", "%"
-    ));
+    let head = |word: &str, part: fn(Column, LengthUnit) -> &'static str| {
+        let cell = |column: &Column| format!("{:>w$}", part(*column, unit), w = width(*column));
+        let cells: String = COLUMNS.iter().map(cell).collect();
+        format!("  {word:<NAME$}{cells}")
+    };
+    page.lines.push(head("layout", |column, unit| comparison::head(column, unit).0));
+    page.lines.push(head("", |column, unit| comparison::head(column, unit).1));
     for index in order {
         let governs = c.governing.is_some_and(|g| g.row == *index);
         page.lines.push(line(&c.rows[*index], governs, unit));
     }
     page.lines.push(String::new());
-    governing(&mut page, c);
+    page.line("> governing", comparison::governing(c));
     both::table(&mut page, compared, order);
     for index in order {
         remarks(&mut page, &c.rows[*index]);
@@ -57,57 +70,19 @@ fn meshes(page: &mut Page, c: &Comparison) {
 }
 
 fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
-    let l = &row.case.layout;
-    let size = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.2}"),
-        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
-    };
-    let deflection = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.3}"),
-        LengthUnit::Millimetre => size(v),
-    };
-    let (force, reached) = match row.values() {
-        Ok(v) => (significant(to_kn(v.force), 3), deflection(v.deflection)),
-        // In the two columns together.
-        Err(why) => (String::new(), why.short().to_string()),
-    };
-    let forecast = row.forecast();
-    let ratio = |v: Option<f64>| v.map_or("-".to_string(), |v| format!("{v:.3}"));
-    let line = format!(
-        "{} {}{:>6}{:>6}{:>6}{:>6}{:>6}{:>14}{:>6}{:>6}{:>6} {}",
-        if governs { ">" } else { " " },
-        cut(&row.name, NAME),
-        size(l.plate),
-        size(l.spacing),
-        size(l.punch),
-        size(l.ex),
-        size(l.ey),
-        format!("{force:>7}{reached:>7}").trim_start(),
-        ratio(forecast.and_then(|f| f.force_over_lab())),
-        ratio(forecast.and_then(|f| f.deflection_over_lab())),
-        row.utilisation().map_or("-".to_string(), percent),
-        mark(row)
-    );
-    line.trim_end().to_string()
-}
-
-fn governing(page: &mut Page, c: &Comparison) {
-    let text = match c.governing {
-        Some(g) => {
-            let row = &c.rows[g.row];
-            match (g.text(), row.values()) {
-                (Some(text), _) => format!("{}: {text}", row.name),
-                (None, Ok(v)) => format!(
-                    "{}: the lowest force, {}; no layout has a design force",
-                    row.name,
-                    force_text(v.force)
-                ),
-                (None, Err(_)) => row.name.clone(),
-            }
-        }
-        None => "none, no layout has a value".to_string(),
-    };
-    page.line("> governing", text);
+    let cells: String = (COLUMNS.iter())
+        .map(|column| {
+            let text = match (column, row.values()) {
+                // In the two columns together.
+                (Column::Force, Err(_)) => return String::new(),
+                (Column::Deflection, Err(why)) => return format!("{:>14}", why.short()),
+                _ => comparison::cell(row, *column, unit),
+            };
+            format!("{text:>w$}", w = width(*column))
+        })
+        .collect();
+    let sign = if governs { ">" } else { " " };
+    format!("{sign} {}{cells} {}", cut(&row.name, NAME), mark(row)).trim_end().to_string()
 }
 
 fn remarks(page: &mut Page, row: &CompareRow) {

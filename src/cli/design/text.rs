@@ -1,12 +1,16 @@
 //! Design solutions as sentences.
 
 use super::Solved;
-use crate::case::{CasePoint, CaseValue};
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
+use crate::case::CaseValue;
+use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
+use crate::show::say;
 use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
 use crate::units::{LengthUnit, force_text};
+
+/// Behind a deflection at the factored design force.
+const AT_LOAD: &str = "at the load";
 
 /// The reports of all layouts, an empty line between them.
 pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
@@ -27,11 +31,7 @@ fn one(s: &Solved, unit: LengthUnit) -> String {
     asked(&mut page, s);
     match &s.outcome {
         Ok(point) => {
-            let v = point.values();
-            page.line(
-                "FIELD",
-                format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection)),
-            );
+            page.line("FIELD", say::values(point.values(), page.unit));
             page.design(&point.answer, &s.case.question);
         }
         Err(why) => page.line("field", why.sentence()),
@@ -114,17 +114,20 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
                 Some(r) => format!(" (take {} {side})", page.length(r)),
                 None => String::new(),
             };
-            format!("{word} {at} just meets it{take}: {}", values(page, &c.point))
+            format!(
+                "{word} {at} just meets it{take}: {}",
+                say::point_at_load(&c.point, page.unit, AT_LOAD)
+            )
         }
         RequirementKind::Jump => format!(
             "at {word} {at} the forecast jumps (branch of A.1-A.2): met with {}, not beyond with {}",
-            values(page, &c.point),
+            say::point_at_load(&c.point, page.unit, AT_LOAD),
             outcome(page, &c.beyond)
         ),
         RequirementKind::Edge => format!(
             "{word} {at} is the end of the method, beyond it {}: {}",
             outcome(page, &c.beyond),
-            values(page, &c.point)
+            say::point_at_load(&c.point, page.unit, AT_LOAD)
         ),
     };
     let heavy = |w: &&Warning| w.weight() >= Weight::Caution;
@@ -134,21 +137,9 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
     text
 }
 
-fn values(page: &Page, p: &CasePoint) -> String {
-    let v = p.values();
-    let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
-    if let Some(at) = &p.answer.at_force {
-        text.push_str(&format!(", use {} %", percent(at.utilisation)));
-        if let Some(reached) = at.deflection {
-            text.push_str(&format!(", {} at the load", page.length(reached)));
-        }
-    }
-    text
-}
-
 fn outcome(page: &Page, o: &CaseValue) -> String {
     match o {
-        Ok(p) => values(page, p),
+        Ok(p) => say::point_at_load(p, page.unit, AT_LOAD),
         Err(why) if why.code() == "punch_on_plate" => "the punch is on a plate".to_string(),
         Err(_) => "plate or punch is as large as the spacing".to_string(),
     }

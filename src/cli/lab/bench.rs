@@ -85,7 +85,7 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
         Format::Text if rows.is_empty() => String::new(),
         Format::Text => text(&rows, &known),
         Format::Json => {
-            json(&rows.iter().zip(std::iter::repeat(&known)).map(Made::of).collect::<Vec<_>>())?
+            json(&rows.iter().zip(std::iter::repeat(&known)).map(Made::new).collect::<Vec<_>>())?
                 + "\n"
         }
     };
@@ -123,7 +123,7 @@ struct Made<'a> {
 }
 
 impl<'a> Made<'a> {
-    fn of((row, known): (&'a BenchRow, &'a Vec<KnownError>)) -> Made<'a> {
+    fn new((row, known): (&'a BenchRow, &'a Vec<KnownError>)) -> Made<'a> {
         let print = Fingerprinter::new("bench").text(&row.scene).text(&row.fidelity).finish();
         Made {
             version: VERSION,

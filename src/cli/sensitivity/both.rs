@@ -2,9 +2,10 @@
 
 use super::Studied;
 use crate::cli::dem::text as dem;
-use crate::cli::page::{Page, percent};
+use crate::cli::page::Page;
 use crate::show::effect::{self, EffectScale};
 use crate::show::glyphs::Glyphs;
+use crate::show::say;
 use crate::show::tornado::{self, Moves};
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
@@ -29,9 +30,7 @@ pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
         .map_or(String::new(), |e| format!(" (standard error {})", significant(to_kn(e.force), 2)));
     let mut text =
         format!("F {}{error}, delta {}", force_text(mean.force), page.length(mean.deflection));
-    if let Some(utilisation) = f.utilisation {
-        text.push_str(&format!(", use {} %", percent(utilisation)));
-    }
+    text.push_str(&say::used(f.utilisation));
     if let Some(d) = f.difference {
         let parts = [100.0 * d.force, 100.0 * d.deflection];
         text.push_str(&format!("; {:+.1} % and {:+.1} % over the forecast", parts[0], parts[1]));

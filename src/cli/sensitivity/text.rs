@@ -2,16 +2,16 @@
 //! for the utilisation.
 
 use super::{Studied, both};
-use crate::case::{CasePoint, Input};
+use crate::case::Input;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
 use crate::remark::Weight;
 use crate::show::effect::{self, EffectScale};
 use crate::show::glyphs::Glyphs;
-use crate::show::tornado;
+use crate::show::{say, tornado};
 use crate::study::result::Wanted;
 use crate::study::sensitivity::{Effect, Sensitivity, step};
-use crate::units::{LengthUnit, force_text};
+use crate::units::LengthUnit;
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 15;
@@ -30,7 +30,7 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     page.inputs("sensitivity", s.name.as_deref(), s.case.fingerprint(), &s.case);
     match &s.sensitivity.base {
         Ok(point) => {
-            base(&mut page, point);
+            page.line("FIELD", say::point(point, unit));
             let offset = page.length(step(&s.case, Input::OffsetX));
             page.line(
                 "steps",
@@ -59,15 +59,6 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     }
     page.line("basis", BASIS);
     page.text()
-}
-
-fn base(page: &mut Page, point: &CasePoint) {
-    let v = point.values();
-    let mut text = format!("F_a {}, delta_a {}", force_text(v.force), page.length(v.deflection));
-    if let Some(at) = &point.answer.at_force {
-        text.push_str(&format!(", {}", at.use_text()));
-    }
-    page.line("FIELD", text);
 }
 
 fn tornado(page: &mut Page, s: &Sensitivity, effect: Effect) {

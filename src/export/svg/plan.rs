@@ -17,7 +17,7 @@ pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
     let layout = &case.forecast().layout;
     let title = format!("{}: the cell from above", case.entry.name);
     let mut drawing = Drawing::new(WIDTH);
-    let view = View::of(layout);
+    let view = View::new(layout);
     let half = layout.spacing / 2.0;
 
     let corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)];
@@ -59,7 +59,7 @@ struct View {
 
 impl View {
     /// The cell with its plates, and a little of what lies beyond.
-    fn of(layout: &Layout) -> View {
+    fn new(layout: &Layout) -> View {
         let reach = layout.spacing + layout.plate + 0.06 * layout.spacing;
         View { scale: (WINDOW.right - WINDOW.left) / reach }
     }

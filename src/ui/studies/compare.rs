@@ -8,12 +8,14 @@ use crate::app::App;
 use crate::app::studies::compare::{ColumnHead, CompareView};
 use crate::forecast::rescaled;
 use crate::remark::Weight;
+use crate::show::comparison;
 use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::{self, Plot};
 use crate::study::compare::Column;
-use crate::units::{LengthUnit, force_text, percent, significant, to_kn};
+use crate::study::sensitivity::Effect;
+use crate::units::{LengthUnit, percent, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
@@ -60,22 +62,7 @@ fn way(falling: bool) -> &'static str {
 fn title(head: ColumnHead, unit: LengthUnit) -> (&'static str, &'static str) {
     let m = unit.symbol();
     match head {
-        ColumnHead::Of(column) => match column {
-            Column::Name => ("layout", ""),
-            Column::Mesh => ("mesh", ""),
-            Column::Plate => ("d", m),
-            Column::Spacing => ("L", m),
-            Column::Punch => ("D", m),
-            Column::OffsetX => ("ex", m),
-            Column::OffsetY => ("ey", m),
-            Column::Force => ("F_a", "kN"),
-            Column::Deflection => ("delta", m),
-            Column::ForceRatio => ("F/Fl", ""),
-            Column::DeflectionRatio => ("d/dl", ""),
-            Column::Utilisation => ("use", "%"),
-            Column::DesignDeflection => ("at Fd", m),
-            Column::Warnings => ("warn", ""),
-        },
+        ColumnHead::Of(column) => comparison::head(column, unit),
         ColumnHead::DemForce => ("DEM F", "kN"),
         ColumnHead::DemOverForce => ("/F_a", "%"),
         ColumnHead::DemDeflection => ("DEM d", m),
@@ -86,10 +73,9 @@ fn title(head: ColumnHead, unit: LengthUnit) -> (&'static str, &'static str) {
 
 fn columns_of(head: ColumnHead) -> u16 {
     match head {
-        ColumnHead::Of(Column::Mesh) => 18,
-        ColumnHead::Of(Column::Force | Column::Deflection)
-        | ColumnHead::DemForce
-        | ColumnHead::DemDeflection => 7,
+        // A few characters.
+        ColumnHead::Of(column) => comparison::width(column) as u16,
+        ColumnHead::DemForce | ColumnHead::DemDeflection => 7,
         _ => 6,
     }
 }
@@ -98,39 +84,9 @@ fn columns_of(head: ColumnHead) -> u16 {
 fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> String {
     let Some(r) = view.comparison.rows.get(row) else { return String::new() };
     let none = || "-".to_string();
-    let length = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.2}"),
-        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
-    };
-    let deflection = |v: f64| effect::deflection(v, unit);
-    let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
-    let kn = |v: f64| significant(to_kn(v), 3);
-    let l = &r.case.layout;
     let checked = view.checked.get(row).and_then(|c| c.as_ref());
-    let forecast = r.forecast();
     match head {
-        ColumnHead::Of(column) => match column {
-            Column::Name => r.name.clone(),
-            Column::Mesh => r.case.mesh.id.clone(),
-            Column::Plate => length(l.plate),
-            Column::Spacing => length(l.spacing),
-            Column::Punch => length(l.punch),
-            Column::OffsetX => length(l.ex),
-            Column::OffsetY => length(l.ey),
-            Column::Force => match r.values() {
-                Ok(v) => kn(v.force),
-                Err(why) => why.short().into(),
-            },
-            Column::Deflection => r.values().map_or_else(|_| none(), |v| deflection(v.deflection)),
-            Column::ForceRatio => ratio(forecast.and_then(|f| f.force_over_lab())),
-            Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
-            Column::Utilisation => r.utilisation().map_or_else(none, percent),
-            Column::DesignDeflection => {
-                let at = r.answer().and_then(|a| a.at_force).and_then(|a| a.deflection);
-                at.map_or_else(none, deflection)
-            }
-            Column::Warnings => r.weight().map_or_else(none, |w| w.word().into()),
-        },
+        ColumnHead::Of(column) => comparison::cell(r, column, unit),
         ColumnHead::DemForce => match (checked, view.number(row, head)) {
             (None, _) => none(),
             (Some(_), None) => "none".into(),
@@ -140,14 +96,16 @@ fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> S
                     (false, true) => "p",
                     _ => "",
                 };
-                kn(v) + mark
+                effect::number(v, Effect::Force, unit) + mark
             }
         },
-        ColumnHead::DemDeflection => view.number(row, head).map_or_else(none, deflection),
+        ColumnHead::DemDeflection => {
+            view.number(row, head).map_or_else(none, |v| effect::deflection(v, unit))
+        }
         ColumnHead::DemUtilisation => view.number(row, head).map_or_else(none, percent),
         ColumnHead::DemOverForce | ColumnHead::DemOverDeflection => match checked {
             Some(c) if c.stale => "stale".into(),
-            _ => view.number(row, head).map_or_else(none, |v| format!("{:+.1}", 100.0 * v)),
+            _ => comparison::over(view.number(row, head)),
         },
     }
 }
@@ -240,20 +198,12 @@ fn governing(view: &CompareView) -> String {
         0 => String::new(),
         n => format!("; {n} left out, mesh not known"),
     };
-    let Some(g) = view.comparison.governing else {
-        return format!("* governing: none, no layout has a value{left}");
-    };
-    let Some(row) = view.comparison.rows.get(g.row) else { return String::new() };
-    let by = match (g.text(), row.values()) {
-        (Some(text), _) => text,
-        (None, Ok(v)) => format!("the lowest force, {}; no design force set", force_text(v.force)),
-        (None, Err(_)) => String::new(),
-    };
     let stale = view.checked.iter().flatten().any(|c| c.stale);
     let stale = if stale { "; s: stale check" } else { "" };
     let over = view.comparison.rows.iter().filter(|row| row.over_allowed()).count();
     let over = if over > 0 { format!("; {over} over the allowed") } else { String::new() };
-    format!("* governing {}: {by}{over}{stale}{left}", row.name)
+    let colon = if view.comparison.governing.is_some() { "" } else { ":" };
+    format!("* governing{colon} {}{over}{stale}{left}", comparison::governing(&view.comparison))
 }
 
 /// The rows whose curves are drawn: the marked one and the first of the others.

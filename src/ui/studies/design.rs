@@ -4,12 +4,12 @@
 use super::super::text::{below, cut, heading, put, spot};
 use super::super::theme::Theme;
 use super::super::{answer, chart};
-use super::sweep::figures_text;
 use super::{nothing, plan};
 use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::design::{DesignKind, DesignLine, DesignView};
 use crate::case::{CasePoint, CaseValue, Input, input_value};
+use crate::show::say;
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
@@ -166,7 +166,7 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
         lines.push((format!("answer   {}", words.join(", ")), style));
     }
     if let Some(own) = &view.own {
-        lines.push((format!("DEM      {}", figures_text(own, unit)), theme.check));
+        lines.push((format!("DEM      {}", say::check(own, unit)), theme.check));
     }
     lines
 }
@@ -260,7 +260,7 @@ fn gives(
 
 fn dem(f: &Figures, unit: LengthUnit) -> String {
     let Some(mean) = f.mean else { return "no break".into() };
-    let used = f.utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)));
+    let used = say::used(f.utilisation);
     let force = significant(to_kn(mean.force), 3);
     format!("F {force} kN, {}{used}", length_text(mean.deflection, unit))
 }
@@ -285,17 +285,10 @@ fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
 }
 
 fn outcome_text(outcome: &CaseValue, unit: LengthUnit) -> String {
-    let Ok(p) = outcome else { return short(outcome, unit) };
-    let v = p.values();
-    let mut text =
-        format!("F_a {}, delta_a {}", force_text(v.force), length_text(v.deflection, unit));
-    if let Some(at) = &p.answer.at_force {
-        text.push_str(&format!(", use {} %", percent(at.utilisation)));
-        if let Some(reached) = at.deflection {
-            text.push_str(&format!(", {} at load", length_text(reached, unit)));
-        }
+    match outcome {
+        Ok(p) => say::point_at_load(p, unit, "at load"),
+        Err(_) => short(outcome, unit),
     }
-    text
 }
 
 /// The published range: where it is met, and where the layout is.

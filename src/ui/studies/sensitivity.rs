@@ -7,10 +7,11 @@ use crate::app::App;
 use crate::app::studies::sensitivity::SensitivityView;
 use crate::show::effect::{self, EffectScale};
 use crate::show::picture::Ink;
+use crate::show::say;
 use crate::show::tornado::{self, Moves};
-use crate::study::checks::NoCheck;
+use crate::study::checks::{NoCheck, utilisation};
 use crate::study::sensitivity::Effect;
-use crate::units::{force_text, length_text, percent};
+use crate::units::{force_text, length_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -87,19 +88,11 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
             return vec![(why.sentence(), theme.caution)];
         }
     };
-    let used = |u: Option<f64>| u.map_or(String::new(), |u| format!(", use {} %", percent(u)));
-    let v = point.values();
-    let text = format!(
-        "forecast F_a {}, delta_a {}{}",
-        force_text(v.force),
-        m(v.deflection),
-        point.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()))
-    );
-    let mut lines = vec![(text, theme.forecast)];
+    let mut lines = vec![(format!("forecast {}", say::point(point, app.units())), theme.forecast)];
     let text = match &view.checked.base {
         Ok(result) if result.broke() => {
-            let used =
-                used(crate::study::checks::utilisation(&view.case.question, result.force.mean));
+            let used = utilisation(&view.case.question, result.force.mean);
+            let used = say::used(used);
             let (force, delta) = (result.force.mean, result.deflection.mean);
             format!("DEM      F   {}, delta   {}{used}", force_text(force), m(delta))
         }

@@ -12,9 +12,10 @@ use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::Plot;
+use crate::show::say;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
-use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
+use crate::units::{LengthUnit, percent, significant, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
@@ -213,22 +214,18 @@ fn place(view: &SweepView, unit: LengthUnit) -> String {
 
 fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
     let unit = app.units();
-    let m = |v: f64| length_text(v, unit);
     let mut lines = Vec::new();
     let forecast = match view.points.get(view.marked) {
         Some(Ok(point)) => {
-            let v = point.values();
-            let used =
-                point.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()));
             let mark = if point.doubtful() { " !" } else { "" };
-            format!("F_a {}, delta_a {}{used}{mark}", force_text(v.force), m(v.deflection))
+            say::point(point, unit) + mark
         }
         Some(Err(why)) => why.sentence(),
         None => String::new(),
     };
     lines.push((format!("X at {}: {forecast}", place(view, unit)), theme.forecast));
     let check = match (view.figures.get(view.marked), view.answers.get(view.marked)) {
-        (Some(Some(f)), _) => figures_text(f, unit),
+        (Some(Some(f)), _) => say::check(f, unit),
         (_, Some(Err(why))) if why.code() == "impossible" => format!("none: {}", why.sentence()),
         _ => String::new(),
     };
@@ -252,21 +249,6 @@ fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
         lines.push((format!("  {count}; band 5 to 95 %{own}"), theme.text));
     }
     lines
-}
-
-/// What a check says, with its difference from the forecast.
-pub(super) fn figures_text(f: &Figures, unit: LengthUnit) -> String {
-    let Some(mean) = f.mean else { return "no run broke a wire".into() };
-    let error = f.error.map_or(String::new(), |e| format!(" +-{}", significant(to_kn(e.force), 2)));
-    let band = f.force_band.map_or(String::new(), |[low, high]| {
-        format!(" ({}-{})", significant(to_kn(low), 3), significant(to_kn(high), 3))
-    });
-    let used = f.utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)));
-    let over = f.difference.map_or(String::new(), |d| {
-        format!("; F {:+.0} %, delta {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
-    });
-    let force = significant(to_kn(mean.force), 3);
-    format!("{force}{error} kN{band}, {}{used}{over}", length_text(mean.deflection, unit))
 }
 
 /// All points as a table.

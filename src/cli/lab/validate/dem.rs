@@ -28,7 +28,7 @@ pub(crate) fn compare(
     law: Option<&str>,
     options: &PaperOptions,
 ) -> Result<Option<Compared>, Fault> {
-    let wire = Wires::read(None, law)?.of(&catalogue::reference())?;
+    let wire = Wires::read(None, law)?.for_mesh(&catalogue::reference())?;
     let watch = Watch::start();
     let rows = paper(&wire, options, &|words, part, parts, end, now| {
         watch.part(words, part, parts, end);

@@ -1,0 +1,93 @@
+//! The table of a comparison: what its columns are called and what stands in them, for people.
+
+use super::effect::{deflection, number};
+use crate::case::Input;
+use crate::study::compare::{Column, CompareRow, Comparison};
+use crate::study::sensitivity::Effect;
+use crate::units::{LengthUnit, force_text, percent};
+
+/// Word and unit of a column.
+pub(crate) fn head(column: Column, unit: LengthUnit) -> (&'static str, &'static str) {
+    let size = |input: Input| (input.word(), input.unit(unit));
+    match column {
+        Column::Name => ("layout", ""),
+        Column::Mesh => ("mesh", ""),
+        Column::Plate => size(Input::Plate),
+        Column::Spacing => size(Input::Spacing),
+        Column::Punch => size(Input::Punch),
+        Column::OffsetX => size(Input::OffsetX),
+        Column::OffsetY => size(Input::OffsetY),
+        Column::Force => ("F_a", "kN"),
+        Column::Deflection => ("delta", unit.symbol()),
+        Column::ForceRatio => ("F/Fl", ""),
+        Column::DeflectionRatio => ("d/dl", ""),
+        Column::Utilisation => ("use", "%"),
+        Column::DesignDeflection => ("at Fd", unit.symbol()),
+        Column::Warnings => ("warn", ""),
+    }
+}
+
+/// Characters of a column, with a blank in front; names have what is left.
+pub(crate) fn width(column: Column) -> usize {
+    match column {
+        Column::Mesh => 18,
+        Column::Force | Column::Deflection => 7,
+        _ => 6,
+    }
+}
+
+/// What stands in a cell.
+pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String {
+    let none = || "-".to_string();
+    let size = |v: f64| match unit {
+        LengthUnit::Metre => format!("{v:.2}"),
+        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
+    };
+    let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
+    let (layout, forecast) = (&row.case.layout, row.forecast());
+    match column {
+        Column::Name => row.name.clone(),
+        Column::Mesh => row.case.mesh.id.clone(),
+        Column::Plate => size(layout.plate),
+        Column::Spacing => size(layout.spacing),
+        Column::Punch => size(layout.punch),
+        Column::OffsetX => size(layout.ex),
+        Column::OffsetY => size(layout.ey),
+        Column::Force => match row.values() {
+            Ok(v) => number(v.force, Effect::Force, unit),
+            Err(why) => why.short().into(),
+        },
+        Column::Deflection => {
+            row.values().map_or_else(|_| none(), |v| deflection(v.deflection, unit))
+        }
+        Column::ForceRatio => ratio(forecast.and_then(|f| f.force_over_lab())),
+        Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
+        Column::Utilisation => row.utilisation().map_or_else(none, percent),
+        Column::DesignDeflection => {
+            let at = row.answer().and_then(|a| a.at_force).and_then(|a| a.deflection);
+            at.map_or_else(none, |v| deflection(v, unit))
+        }
+        Column::Warnings => row.weight().map_or_else(none, |w| w.word().into()),
+    }
+}
+
+/// How far a check is from the forecast, %.
+pub(crate) fn over(part: Option<f64>) -> String {
+    part.map_or_else(|| "-".to_string(), |v| format!("{:+.1}", 100.0 * v))
+}
+
+/// Which layout governs, and by what; without a final stop.
+pub(crate) fn governing(c: &Comparison) -> String {
+    let Some((g, row)) = c.governing.and_then(|g| Some((g, c.rows.get(g.row)?))) else {
+        return "none, no layout has a value".to_string();
+    };
+    let name = &row.name;
+    match (g.text(), row.values()) {
+        (Some(text), _) => format!("{name}: {text}"),
+        (None, Ok(v)) => {
+            let force = force_text(v.force);
+            format!("{name}: the lowest force, {force}; no layout has a design force")
+        }
+        (None, Err(_)) => name.clone(),
+    }
+}

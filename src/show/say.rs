@@ -1,0 +1,45 @@
+//! What a case gives, in a line for people.
+
+use crate::case::CasePoint;
+use crate::forecast::Values;
+use crate::study::checks::figures::Figures;
+use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
+
+/// `F_a 27.1 kN, delta_a 0.635 m`.
+pub(crate) fn values(v: Values, unit: LengthUnit) -> String {
+    format!("F_a {}, delta_a {}", force_text(v.force), length_text(v.deflection, unit))
+}
+
+/// The same with the use, where a design force is set, and whether the deflection is over the allowed.
+pub(crate) fn point(p: &CasePoint, unit: LengthUnit) -> String {
+    let used = p.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()));
+    values(p.values(), unit) + &used
+}
+
+/// The same with the deflection at the factored design force, where it is reached; `place` says so
+/// behind it.
+pub(crate) fn point_at_load(p: &CasePoint, unit: LengthUnit, place: &str) -> String {
+    let reached = p.answer.at_force.and_then(|at| at.deflection);
+    let reached = reached.map(|v| format!(", {} {place}", length_text(v, unit)));
+    values(p.values(), unit) + &used(p.utilisation()) + &reached.unwrap_or_default()
+}
+
+/// `, use 37.3 %`; nothing where no design force is set.
+pub(crate) fn used(utilisation: Option<f64>) -> String {
+    utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)))
+}
+
+/// What a check says, with its difference from the forecast.
+pub(crate) fn check(f: &Figures, unit: LengthUnit) -> String {
+    let Some(mean) = f.mean else { return "no run broke a wire".into() };
+    let error = f.error.map_or(String::new(), |e| format!(" +-{}", significant(to_kn(e.force), 2)));
+    let band = f.force_band.map_or(String::new(), |[low, high]| {
+        format!(" ({}-{})", significant(to_kn(low), 3), significant(to_kn(high), 3))
+    });
+    let over = f.difference.map_or(String::new(), |d| {
+        format!("; F {:+.0} %, delta {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
+    });
+    let force = significant(to_kn(mean.force), 3);
+    let (reached, used) = (length_text(mean.deflection, unit), used(f.utilisation));
+    format!("{force}{error} kN{band}, {reached}{used}{over}")
+}
