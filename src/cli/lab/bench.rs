@@ -9,6 +9,9 @@ use crate::fingerprint::Fingerprinter;
 use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::lab::convergence::{self, Sizes, Tables};
 use crate::project::{SaveError, create};
+use crate::show::glyphs::Glyphs;
+use crate::show::picture::Ink;
+use crate::show::plot::{Plot, PlotAxis};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
@@ -172,6 +175,8 @@ fn text(rows: &[BenchRow], known: &[KnownError]) -> String {
 /// Columns and rows of the plot in characters.
 const COLUMNS: usize = 60;
 const ROWS: usize = 16;
+/// Columns of its labels at the left.
+const LEFT: usize = 9;
 
 /// Ranges of the plot as logarithms of ten: time in ms, worst error in %.
 fn ranges(rows: &[BenchRow]) -> ([f64; 2], [f64; 2]) {
@@ -200,29 +205,23 @@ fn sign(row: &BenchRow) -> char {
 
 fn plot(rows: &[BenchRow]) -> String {
     let (times, errors) = ranges(rows);
-    let mut grid = vec![[' '; COLUMNS]; ROWS];
+    let power = |exponent: f64| 10.0_f64.powf(exponent).to_string();
+    let ends = (0.0, 1.0);
+    let ticks = vec![(0.0, power(times[0])), (1.0, format!("{} ms", power(times[1])))];
+    let x = PlotAxis { ends, ticks };
+    let y = PlotAxis { ends, ticks: vec![(1.0, power(errors[1]))] };
+    let size = (LEFT + 1 + COLUMNS, ROWS + 2);
+    let Some(mut plot) = Plot::new(size, LEFT, x, y, Glyphs::Ascii) else { return String::new() };
+    plot.picture.put_right(ROWS - 1, LEFT - 1, &power(errors[0]), Ink::Text);
     for row in rows {
         if let Some((x, y)) = place(row, times, errors) {
-            let column = (x * (COLUMNS - 1) as f64).round() as usize;
-            let line = ROWS - 1 - (y * (ROWS - 1) as f64).round() as usize;
-            grid[line][column] = sign(row);
+            plot.mark(x, y, sign(row), Ink::Text);
         }
     }
-    let mut out = String::from("worst error, % (logarithmic)\n");
-    for (k, line) in grid.iter().enumerate() {
-        let label = match k {
-            0 => format!("{}", 10.0_f64.powf(errors[1])),
-            _ if k == ROWS - 1 => format!("{}", 10.0_f64.powf(errors[0])),
-            _ => String::new(),
-        };
-        let signs: String = line.iter().collect();
-        let _ = writeln!(out, "{label:>8} |{}", signs.trim_end());
-    }
-    let (low, high) = (10.0_f64.powf(times[0]), 10.0_f64.powf(times[1]));
-    let _ = writeln!(out, "{:>8} +{}", "", "-".repeat(COLUMNS));
-    let _ = writeln!(out, "{:>9} {low}{high:>width$} ms", "", width = COLUMNS - 4);
-    out.push_str("          letters: scenes (' is A'); small letters: the plain run\n");
-    out
+    format!(
+        "worst error, % (logarithmic)\n{}\n          letters: scenes (' is A'); small letters: the plain run\n",
+        plot.picture.lines().join("\n")
+    )
 }
 
 /// Size of the picture and room around the plot.
