@@ -321,6 +321,10 @@ impl Input {
     pub(crate) const GEOMETRY: [Input; 5] =
         [Input::Plate, Input::Spacing, Input::Punch, Input::OffsetX, Input::OffsetY];
 
+    /// What is asked, alone.
+    pub(crate) const QUESTION: [Input; 4] =
+        [Input::DesignForce, Input::AllowableDeflection, Input::GammaLoad, Input::GammaResistance];
+
     /// What a study varies: the geometry and the laboratory values.
     pub const VARIED: [Input; 7] = [
         Input::Plate,
@@ -454,6 +458,11 @@ mod tests {
         for (at, row) in TABLE.iter().enumerate() {
             assert_eq!(row.input as usize, at, "{:?}", row.input);
         }
+    }
+
+    #[test]
+    fn a_layout_has_its_geometry_and_its_question() {
+        assert_eq!([&Input::GEOMETRY[..], &Input::QUESTION[..]].concat(), Input::LAYOUT);
     }
 
     #[test]

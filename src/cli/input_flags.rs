@@ -12,7 +12,8 @@ pub(crate) struct InputFlags<const QUESTION: bool>(Vec<(Input, f64)>);
 
 impl<const QUESTION: bool> InputFlags<QUESTION> {
     fn inputs() -> impl Iterator<Item = Input> {
-        Input::LAYOUT.into_iter().filter(|i| Input::GEOMETRY.contains(i) != QUESTION)
+        let all = if QUESTION { &Input::QUESTION[..] } else { &Input::GEOMETRY[..] };
+        all.iter().copied()
     }
 
     /// What was given.

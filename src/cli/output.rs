@@ -5,6 +5,8 @@ use crate::project::LoadError;
 use clap::ValueEnum;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
+use unicode_width::UnicodeWidthStr;
 
 /// Exit code of a failure: a disk, a printed digit that differs.
 pub(crate) const FAILURE: u8 = 1;
@@ -158,24 +160,19 @@ pub(crate) fn json_list<T: serde::Serialize>(
 /// Breaks a text into lines of at most `width` columns: the first begins with `head`, the others are
 /// indented to the width of it. A word that is too long stands on a line of its own.
 pub(crate) fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
-    use unicode_width::UnicodeWidthStr;
-    let indent = " ".repeat(head.width());
-    let mut lines = Vec::new();
-    let mut line = head.to_string();
-    let mut empty = true;
-    for word in text.split_whitespace() {
-        if !empty && line.width() + 1 + word.width() > width {
-            lines.push(std::mem::replace(&mut line, indent.clone()));
-            empty = true;
-        }
-        if !empty {
-            line.push(' ');
-        }
-        line.push_str(word);
-        empty = false;
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if text.is_empty() {
+        return vec![head.trim_end().to_string()];
     }
-    lines.push(line.trim_end().to_string());
-    lines
+    let indent = " ".repeat(head.width());
+    let options = Options::new(width)
+        .initial_indent(head)
+        .subsequent_indent(&indent)
+        .break_words(false)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    textwrap::wrap(&text, options).into_iter().map(|line| line.into_owned()).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! The command lines that give the numbers of a layout again, to the last bit.
 
 use super::ExportedLayout;
+use crate::case::Input;
+use crate::case::input::Missing;
 use crate::layout::BranchRule;
 use crate::mesh::catalogue;
 use crate::units::{from_kn, shortest, to_kn};
@@ -24,37 +26,27 @@ pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
     if catalogue::find(&case.case.mesh.id).is_none_or(|mesh| *mesh != *case.case.mesh) {
         return None;
     }
-    let entry = &case.entry;
+    let case = &case.case;
+    let given = |inputs: &[Input]| -> Vec<String> {
+        inputs.iter().filter_map(|input| flag(*input, case.get(*input)?)).collect()
+    };
     let mut words = vec!["meshcast forecast".to_string()];
-    for (flag, value) in
-        [("-d ", entry.layout.plate), ("-L ", entry.layout.spacing), ("-D ", entry.layout.punch)]
-    {
-        words.push(format!("{flag}{}", bare(value)));
+    words.extend(given(&Input::GEOMETRY));
+    words.push(format!("--mesh {}", quoted(&case.mesh.id)));
+    if case.rule != BranchRule::default() {
+        words.push(format!("--branch {}", case.rule.word()));
     }
-    for (flag, value) in [("--ex=", entry.layout.ex), ("--ey=", entry.layout.ey)] {
-        if value != 0.0 {
-            words.push(format!("{flag}{}", bare(value)));
-        }
-    }
-    words.push(format!("--mesh {}", quoted(&case.case.mesh.id)));
-    if entry.branch != BranchRule::default() {
-        words.push(format!("--branch {}", entry.branch.word()));
-    }
-    if let Some(force) = entry.question.force {
-        words.push(format!("--force {}", force_word(force)));
-    }
-    if let Some(deflection) = entry.question.deflection {
-        words.push(format!("--deflection {}", bare(deflection)));
-    }
-    for (flag, factor) in [
-        ("--gamma-resistance", entry.question.gamma_resistance),
-        ("--gamma-load", entry.question.gamma_load),
-    ] {
-        if factor != 1.0 {
-            words.push(format!("{flag} {}", bare(factor)));
-        }
-    }
+    words.extend(given(&Input::QUESTION));
     Some(words.join(" "))
+}
+
+/// The flag with a value; nothing where it would say what holds anyway.
+fn flag(input: Input, value: f64) -> Option<String> {
+    let row = input.row();
+    let text = if input.is_force() { force_word(value) } else { bare(value) };
+    // One word, because a negative number would look like a flag of its own.
+    let between = if input.is_offset() { "=" } else { " " };
+    (row.missing != Missing::Means(value)).then(|| format!("{}{between}{text}", row.flag))
 }
 
 /// A number that is read back as the same number: free of noise where that holds.

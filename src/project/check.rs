@@ -122,7 +122,7 @@ impl NamedLayout {
         if let Err(found) = self.layout.check() {
             problems.extend(found);
         }
-        let asked = Input::LAYOUT.into_iter().filter(|i| !Input::GEOMETRY.contains(i));
+        let asked = Input::QUESTION.into_iter();
         problems.extend(asked.filter_map(|i| self.get(i).and_then(|value| i.problem(value))));
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }

@@ -1,22 +1,16 @@
 //! The table of a comparison: what its columns are called and what stands in them, for people.
 
 use super::effect::{deflection, number};
-use crate::case::Input;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, percent};
 
 /// Word and unit of a column.
 pub(crate) fn head(column: Column, unit: LengthUnit) -> (&'static str, &'static str) {
-    let size = |input: Input| (input.word(), input.unit(unit));
     match column {
         Column::Name => ("layout", ""),
         Column::Mesh => ("mesh", ""),
-        Column::Plate => size(Input::Plate),
-        Column::Spacing => size(Input::Spacing),
-        Column::Punch => size(Input::Punch),
-        Column::OffsetX => size(Input::OffsetX),
-        Column::OffsetY => size(Input::OffsetY),
+        Column::Size(input) => (input.word(), input.unit(unit)),
         Column::Force => ("F_a", "kN"),
         Column::Deflection => ("delta", unit.symbol()),
         Column::ForceRatio => ("F/Fl", ""),
@@ -44,15 +38,11 @@ pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String
         LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
     };
     let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
-    let (layout, forecast) = (&row.case.layout, row.forecast());
+    let forecast = row.forecast();
     match column {
         Column::Name => row.name.clone(),
         Column::Mesh => row.case.mesh.id.clone(),
-        Column::Plate => size(layout.plate),
-        Column::Spacing => size(layout.spacing),
-        Column::Punch => size(layout.punch),
-        Column::OffsetX => size(layout.ex),
-        Column::OffsetY => size(layout.ey),
+        Column::Size(input) => size(input.value(&row.case)),
         Column::Force => match row.values() {
             Ok(v) => number(v.force, Effect::Force, unit),
             Err(why) => why.short().into(),

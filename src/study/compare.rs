@@ -1,6 +1,6 @@
 //! Comparison: the layouts of a project side by side, sorted by any column, and the one that governs.
 
-use crate::case::{Case, Derived, NoValue};
+use crate::case::{Case, Derived, Input, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::forecast::design::{Answer, AtForce, Limit};
 use crate::forecast::{Forecast, Values};
@@ -65,15 +65,11 @@ impl CompareRow {
 
     /// What stands in a column; nothing where it has no value.
     fn number(&self, column: Column) -> Option<f64> {
-        let (layout, forecast) = (&self.case.layout, self.forecast());
+        let forecast = self.forecast();
         let values = || forecast?.field.map(|field| field.values);
         match column {
             Column::Name | Column::Mesh => None,
-            Column::Plate => Some(layout.plate),
-            Column::Spacing => Some(layout.spacing),
-            Column::Punch => Some(layout.punch),
-            Column::OffsetX => Some(layout.ex),
-            Column::OffsetY => Some(layout.ey),
+            Column::Size(input) => self.case.get(input),
             Column::Force => values().map(|v| v.force),
             Column::Deflection => values().map(|v| v.deflection),
             Column::ForceRatio => forecast?.force_over_lab(),
@@ -92,16 +88,8 @@ pub enum Column {
     Name,
     /// Identifier of its mesh.
     Mesh,
-    /// d, m.
-    Plate,
-    /// L, m.
-    Spacing,
-    /// D, m.
-    Punch,
-    /// e_x, m.
-    OffsetX,
-    /// e_y, m.
-    OffsetY,
+    /// A size or an offset of the layout, m.
+    Size(Input),
     /// F_a, N.
     Force,
     /// delta_a, m.
@@ -123,11 +111,11 @@ impl Choice for Column {
     const ALL: &'static [Column] = &[
         Column::Name,
         Column::Mesh,
-        Column::Plate,
-        Column::Spacing,
-        Column::Punch,
-        Column::OffsetX,
-        Column::OffsetY,
+        Column::Size(Input::Plate),
+        Column::Size(Input::Spacing),
+        Column::Size(Input::Punch),
+        Column::Size(Input::OffsetX),
+        Column::Size(Input::OffsetY),
         Column::Force,
         Column::Deflection,
         Column::ForceRatio,
@@ -141,11 +129,7 @@ impl Choice for Column {
         match self {
             Column::Name => "layout",
             Column::Mesh => "mesh",
-            Column::Plate => "d",
-            Column::Spacing => "L",
-            Column::Punch => "D",
-            Column::OffsetX => "ex",
-            Column::OffsetY => "ey",
+            Column::Size(input) => input.word(),
             Column::Force => "F",
             Column::Deflection => "delta",
             Column::ForceRatio => "F_ratio",

@@ -256,6 +256,8 @@ impl Facts<'_> {
     /// The remarks, all of them cautions but the note on a single alignment, which stands last.
     pub(super) fn remarks(&self) -> Vec<CheckRemark> {
         let mut list: Vec<CheckRemark> = self.flags.iter().map(|flag| self.of_flag(flag)).collect();
+        // Where a millimetre decides, no other figure means much.
+        list.sort_by_key(|remark| !matches!(remark, CheckRemark::Bifurcation(_)));
         if self.slipped > 0 {
             list.push(CheckRemark::Slipped(Some((self.slipped, self.runs))));
         }

@@ -107,7 +107,7 @@ fn the_steps_and_their_equations_stand_in_the_report() {
         "105 %, not enough",
         "sha256sum",
         "meshcast validate",
-        "meshcast forecast -d 0.4 -L 3.0 -D 1.25 --mesh dt-8x10-2.7 --force 20.0 --deflection 0.6 --gamma-resistance 1.25 --gamma-load 1.3",
+        "meshcast forecast -d 0.4 -L 3.0 -D 1.25 --mesh dt-8x10-2.7 --force 20.0 --deflection 0.6 --gamma-load 1.3 --gamma-resistance 1.25",
         meshcast::VERSION,
     ] {
         assert!(text.contains(said), "{said:?} is missing");

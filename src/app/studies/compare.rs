@@ -2,6 +2,7 @@
 
 use super::super::keymap::Ask;
 use super::given::Given;
+use crate::case::Input;
 use crate::study::checks::figures::Figures;
 use crate::study::compare::{Column, Comparison, compare};
 use crate::words::Choice;
@@ -28,11 +29,11 @@ impl ColumnHead {
     /// All columns in the order of the table, the name first.
     pub(crate) const ALL: [ColumnHead; 18] = [
         ColumnHead::Of(Column::Name),
-        ColumnHead::Of(Column::Plate),
-        ColumnHead::Of(Column::Spacing),
-        ColumnHead::Of(Column::Punch),
-        ColumnHead::Of(Column::OffsetX),
-        ColumnHead::Of(Column::OffsetY),
+        ColumnHead::Of(Column::Size(Input::Plate)),
+        ColumnHead::Of(Column::Size(Input::Spacing)),
+        ColumnHead::Of(Column::Size(Input::Punch)),
+        ColumnHead::Of(Column::Size(Input::OffsetX)),
+        ColumnHead::Of(Column::Size(Input::OffsetY)),
         ColumnHead::Of(Column::Force),
         ColumnHead::Of(Column::Deflection),
         ColumnHead::Of(Column::Utilisation),

@@ -1,7 +1,7 @@
 //! A comparison as a table of 80 columns, the governing layout named below, and what to know.
 
 use super::{Compared, both, mark};
-use crate::case::Derived;
+use crate::case::{Derived, Input};
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut};
 use crate::remark::Weight;
@@ -11,11 +11,11 @@ use crate::units::{LengthUnit, force_text};
 
 /// Columns of the table behind the name.
 const COLUMNS: [Column; 10] = [
-    Column::Plate,
-    Column::Spacing,
-    Column::Punch,
-    Column::OffsetX,
-    Column::OffsetY,
+    Column::Size(Input::Plate),
+    Column::Size(Input::Spacing),
+    Column::Size(Input::Punch),
+    Column::Size(Input::OffsetX),
+    Column::Size(Input::OffsetY),
     Column::Force,
     Column::Deflection,
     Column::ForceRatio,

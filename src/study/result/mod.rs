@@ -115,7 +115,6 @@ pub struct CheckResult {
     /// What the ensemble told of itself; see [`CheckResult::remarks`] for all there is to say.
     pub flags: Vec<CheckFlag>,
     /// What another version noted.
-    /// What another version noted.
     pub later: Later,
 }
 
