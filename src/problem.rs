@@ -102,3 +102,17 @@ impl fmt::Display for Problem {
 }
 
 impl std::error::Error for Problem {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Fault: screens showed an empty reason where a list of problems was empty.
+    #[test]
+    fn a_refusal_never_shows_an_empty_reason() {
+        assert_eq!(summary(&[]), "no reason is known");
+        let two = [Problem::new("d", "too small"), Problem::new("L", "too large")];
+        assert_eq!(summary(&two[..1]), two[0].to_string());
+        assert_eq!(summary(&two), format!("{} (and 1 more)", two[0]));
+    }
+}

@@ -175,4 +175,18 @@ mod tests {
             assert!(input.read("10001", &REFERENCE, LengthUnit::Metre).is_err());
         }
     }
+
+    /// Steps added as they are would leave what a tenth lacks in binary: 0.1 + 0.2 is not 0.3.
+    #[test]
+    fn steps_leave_no_noise_and_lead_back() {
+        let mut value = 0.1;
+        for _ in 0..10 {
+            value = Input::OffsetX.stepped(value, &REFERENCE, StepSize::Fine, true);
+        }
+        assert_eq!(value, on_grain(value), "a tenth of a millimetre is the finest");
+        for _ in 0..10 {
+            value = Input::OffsetX.stepped(value, &REFERENCE, StepSize::Fine, false);
+        }
+        assert_eq!(value, 0.1);
+    }
 }
