@@ -15,7 +15,7 @@ use crate::units::{force_text, length_text, significant, to_kn};
 const SENT: &str = "copied, if the terminal takes OSC 52";
 
 /// Columns of the table, those of an export that people look for.
-const COLUMNS: [&str; 18] = [
+const COLUMNS: [&str; 19] = [
     "layout",
     "mesh",
     "d_m",
@@ -28,6 +28,7 @@ const COLUMNS: [&str; 18] = [
     "design_F_kN",
     "utilisation",
     "design_delta_m",
+    "service_delta_m",
     "allowable_delta_m",
     "allowable_F_kN",
     "check_F_kN",

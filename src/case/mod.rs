@@ -221,6 +221,11 @@ impl CasePoint {
         self.answer.at_force.map(|at| at.utilisation)
     }
 
+    /// Deflection at the design force without its factor, m, where one is set and reached.
+    pub(crate) fn service_deflection(&self) -> Option<f64> {
+        self.answer.at_force?.service_deflection
+    }
+
     /// The branch of Eqs. A.1-A.2 that was used.
     pub(crate) fn branch(&self) -> Branch {
         self.field.branch

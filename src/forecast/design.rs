@@ -55,7 +55,9 @@ pub struct AtForce {
     pub margin: f64,
     /// Deflection at the factored load on the unfactored curve, m; missing beyond failure.
     pub deflection: Option<f64>,
-    /// That deflection over the allowable one, where one is given; beyond failure the load over the
+    /// Deflection at the design force without its factor, m; missing beyond failure.
+    pub service_deflection: Option<f64>,
+    /// That at the factored load over the allowable one, where one is given; beyond failure the load over the
     /// force at the allowable deflection. Above 1 the panel gives way too far.
     pub deflection_use: Option<f64>,
 }
@@ -136,6 +138,7 @@ pub(crate) fn answer(field: &Field, question: &Question) -> Answer {
             utilisation: load / resistance,
             margin: resistance - load,
             deflection,
+            service_deflection: field.deflection_at(force),
             deflection_use: question.deflection.map(|allowable| match deflection {
                 Some(reached) => reached / allowable,
                 None => load / field.force_at(allowable.min(field.values.deflection)),
@@ -188,6 +191,20 @@ mod tests {
         assert!(fine.trouble().is_none() && fine.within_allowable() == Some(true));
         assert_eq!(at(10_000.0, None).use_text(), "use 50.0 %");
         assert_eq!(at(10_000.0, None).largest_use(), (0.5, Limit::Force));
+    }
+
+    #[test]
+    fn the_service_deflection_leaves_the_factors_out() {
+        // A factor on the load moves the design deflection only; a panel that fails under the factored
+        // load still says how far it gives under the plain one.
+        let plain = at(16_000.0, None);
+        let question = Question { force: Some(16_000.0), gamma_load: 1.3, ..Question::default() };
+        let factored = answer(&panel(), &question).at_force.unwrap();
+        assert_eq!(factored.service_deflection, plain.deflection);
+        assert_eq!(factored.deflection, None);
+        // By the master curve: at that deflection it holds the force.
+        let reached = plain.service_deflection.unwrap();
+        assert!((20_000.0 * master::force(reached / 0.5) - 16_000.0).abs() < 1e-6);
     }
 
     #[test]

@@ -61,14 +61,15 @@ impl<'a> From<&'a CompareRow> for PointRow<'a> {
     }
 }
 
-/// Force, deflection and utilisation; deflection at the factored design force; why there is nothing;
-/// what is warned of.
-pub(crate) fn point<'a>() -> [NamedColumn<PointRow<'a>>; 6] {
+/// Force, deflection and utilisation; deflection at the factored design force and at that without its
+/// factor; why there is nothing; what is warned of.
+pub(crate) fn point<'a>() -> [NamedColumn<PointRow<'a>>; 7] {
     [
         ("F_kN", |p| p.values.map(|v| to_kn(v.force)).into()),
         ("delta_m", |p| p.values.map(|v| v.deflection).into()),
         ("utilisation", |p| p.answer.and_then(|a| a.at_force).map(|at| at.utilisation).into()),
         ("design_delta_m", |p| p.answer.and_then(|a| a.at_force?.deflection).into()),
+        ("service_delta_m", |p| p.answer.and_then(|a| a.at_force?.service_deflection).into()),
         ("missing", |p| p.missing.into()),
         ("warnings", |p| codes(p.warnings)),
     ]
@@ -104,10 +105,11 @@ pub(crate) fn input(input: Input, value: f64) -> Value {
 }
 
 /// How the values of a case move with an input.
-pub(crate) const CHANGE: [NamedColumn<Change>; 4] = [
+pub(crate) const CHANGE: [NamedColumn<Change>; 5] = [
     ("change_F_kN", |c| kn(c.force)),
     ("change_delta_m", |c| c.deflection.into()),
     ("change_utilisation", |c| c.utilisation.into()),
+    ("change_service_delta_m", |c| c.service.into()),
     ("other_branch", |c| c.other_branch.into()),
 ];
 

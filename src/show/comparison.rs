@@ -17,6 +17,7 @@ pub(crate) fn head(column: Column, unit: LengthUnit) -> (&'static str, &'static 
         Column::DeflectionRatio => ("d/dl", ""),
         Column::Utilisation => ("use", "%"),
         Column::DesignDeflection => ("at Fd", unit.symbol()),
+        Column::ServiceDeflection => ("at F", unit.symbol()),
         Column::Warnings => ("warn", ""),
     }
 }
@@ -54,7 +55,11 @@ pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String
         Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
         Column::Utilisation => row.utilisation().map_or_else(none, percent),
         Column::DesignDeflection => {
-            let at = row.answer().and_then(|a| a.at_force).and_then(|a| a.deflection);
+            let at = row.at_force().and_then(|a| a.deflection);
+            at.map_or_else(none, |v| deflection(v, unit))
+        }
+        Column::ServiceDeflection => {
+            let at = row.at_force().and_then(|a| a.service_deflection);
             at.map_or_else(none, |v| deflection(v, unit))
         }
         Column::Warnings => row.weight().map_or_else(none, |w| w.word().into()),

@@ -11,6 +11,7 @@ pub(crate) fn read(point: &CasePoint, effect: Effect) -> Option<f64> {
         Effect::Force => Some(point.values().force),
         Effect::Deflection => Some(point.values().deflection),
         Effect::Utilisation => point.utilisation(),
+        Effect::Service => point.service_deflection(),
     }
 }
 
@@ -20,6 +21,7 @@ pub(crate) fn found(figures: &Figures, effect: Effect) -> Option<f64> {
         Effect::Force => figures.mean.map(|v| v.force),
         Effect::Deflection => figures.mean.map(|v| v.deflection),
         Effect::Utilisation => figures.utilisation,
+        Effect::Service => None,
     }
 }
 
@@ -28,7 +30,7 @@ pub(crate) fn band(figures: &Figures, effect: Effect) -> Option<[f64; 2]> {
     match effect {
         Effect::Force => figures.force_band,
         Effect::Deflection => figures.deflection_band,
-        Effect::Utilisation => None,
+        Effect::Utilisation | Effect::Service => None,
     }
 }
 
@@ -38,6 +40,7 @@ pub(crate) fn symbol(effect: Effect) -> &'static str {
         Effect::Force => "F",
         Effect::Deflection => "delta",
         Effect::Utilisation => "use",
+        Effect::Service => "delta at F",
     }
 }
 
@@ -47,6 +50,7 @@ pub(crate) fn whose(effect: Effect, check: bool) -> &'static str {
         (Effect::Force, false) => "F_a",
         (Effect::Deflection, false) => "delta_a",
         (Effect::Utilisation, false) => "use",
+        (Effect::Service, _) => "delta at F",
         (Effect::Force, true) => "DEM F",
         (Effect::Deflection, true) => "DEM delta",
         (Effect::Utilisation, true) => "DEM use",
@@ -57,7 +61,7 @@ pub(crate) fn whose(effect: Effect, check: bool) -> &'static str {
 pub(crate) fn unit(effect: Effect, unit: LengthUnit) -> &'static str {
     match effect {
         Effect::Force => "kN",
-        Effect::Deflection => unit.symbol(),
+        Effect::Deflection | Effect::Service => unit.symbol(),
         Effect::Utilisation => "%",
     }
 }
@@ -66,7 +70,7 @@ pub(crate) fn unit(effect: Effect, unit: LengthUnit) -> &'static str {
 pub(crate) fn in_unit(value: f64, effect: Effect, unit: LengthUnit) -> f64 {
     match effect {
         Effect::Force => to_kn(value),
-        Effect::Deflection => value * unit.per_metre(),
+        Effect::Deflection | Effect::Service => value * unit.per_metre(),
         Effect::Utilisation => value * 100.0,
     }
 }
@@ -75,7 +79,7 @@ pub(crate) fn in_unit(value: f64, effect: Effect, unit: LengthUnit) -> f64 {
 pub(crate) fn number(value: f64, effect: Effect, unit: LengthUnit) -> String {
     match effect {
         Effect::Force => significant(to_kn(value), 3),
-        Effect::Deflection => deflection(value, unit),
+        Effect::Deflection | Effect::Service => deflection(value, unit),
         Effect::Utilisation => percent(value),
     }
 }

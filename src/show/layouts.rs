@@ -102,7 +102,7 @@ const ALLOWABLE: [NamedColumn<Answer>; 3] = [
 
 /// All columns. What does not apply is left empty.
 pub(crate) fn table<'a>() -> Table<'a, LayoutParts<'a>> {
-    let [force, deflection, utilisation, at_load, _, warnings] = point();
+    let [force, deflection, utilisation, at_load, service, _, warnings] = point();
     let [check_force, check_deflection, _] = check_mean();
     let with_inputs = |table: Table<'a, LayoutParts<'a>>, inputs: &[Input]| {
         inputs.iter().fold(table, |table, input| {
@@ -127,7 +127,7 @@ pub(crate) fn table<'a>() -> Table<'a, LayoutParts<'a>> {
         .part(LOAD, |l| l.answer.as_ref())
         .part([utilisation], |l| Some(&l.point))
         .part(MARGIN, |l| l.answer.as_ref())
-        .part([at_load], |l| Some(&l.point));
+        .part([at_load, service], |l| Some(&l.point));
     with_inputs(table, &[Input::AllowableDeflection])
         .part(ALLOWABLE, |l| l.answer.as_ref())
         .part([check_force], |l| l.check.as_ref())

@@ -84,6 +84,7 @@ pub(crate) fn design(answer: &Answer, question: &Question) -> Object {
             .with("utilisation", at.utilisation)
             .with("margin_kN", kn(at.margin))
             .with("delta_m", at.deflection)
+            .with("service_delta_m", at.service_deflection)
             .with("within_allowable", at.within_allowable())
     });
     let at_deflection = answer.at_deflection.zip(question.deflection).map(|(at, deflection)| {
@@ -102,15 +103,17 @@ pub(crate) fn design(answer: &Answer, question: &Question) -> Object {
         .with("at_deflection", at_deflection)
 }
 
-/// Force, deflection and utilisation of a case that has them.
+/// Force, deflection, utilisation and service deflection of a case that has them.
 pub(crate) fn of_point(outcome: &CaseValue) -> Option<Object> {
     outcome.as_ref().ok()?;
-    Some(Object::new().columns(&point()[..3], &outcome.into()))
+    let [force, deflection, utilisation, _, service, ..] = point();
+    Some(Object::new().columns(&[force, deflection, utilisation, service], &outcome.into()))
 }
 
 /// How the values of a case differ from a study's base, also as parts of the base's.
 pub(crate) fn change(c: &Change) -> Object {
     moved([c.force, c.deflection], c.utilisation, [c.force_part, c.deflection_part])
+        .with("service_delta_m", c.service)
         .with("other_branch", c.other_branch)
 }
 

@@ -76,6 +76,7 @@ impl CompareRow {
             Column::DeflectionRatio => forecast?.deflection_over_lab(),
             Column::Utilisation => self.utilisation(),
             Column::DesignDeflection => self.at_force()?.deflection,
+            Column::ServiceDeflection => self.at_force()?.service_deflection,
             Column::Warnings => self.weight().map(|w| f64::from(w as u8)),
         }
     }
@@ -102,6 +103,8 @@ pub enum Column {
     Utilisation,
     /// Deflection at the factored design force, m.
     DesignDeflection,
+    /// Deflection at the design force without its factor, m.
+    ServiceDeflection,
     /// Weight of the heaviest warning.
     Warnings,
 }
@@ -122,6 +125,7 @@ impl Choice for Column {
         Column::DeflectionRatio,
         Column::Utilisation,
         Column::DesignDeflection,
+        Column::ServiceDeflection,
         Column::Warnings,
     ];
 
@@ -136,6 +140,7 @@ impl Choice for Column {
             Column::DeflectionRatio => "delta_ratio",
             Column::Utilisation => "utilisation",
             Column::DesignDeflection => "design_delta",
+            Column::ServiceDeflection => "service_delta",
             Column::Warnings => "warnings",
         }
     }

@@ -68,7 +68,7 @@ fn a_tornado_is_drawn_largest_first_and_marks_what_is_not_possible() {
     let first = out.lines().skip_while(|l| !l.starts_with("change of F_a")).nth(1).unwrap();
     assert!(first.starts_with("F_l*     65.97 to 80.63 kN"), "{out}");
     assert!(first.ends_with("---------------|==============="), "{out}");
-    assert_eq!(out.matches("change of ").count(), 3);
+    assert_eq!(out.matches("change of ").count(), 4, "F, delta, use and delta at F");
     let near = good(&["sensitivity", "-D", "0.3", "--units", "mm"]);
     fits(&near);
     assert!(near.contains('*') && near.contains("branch change at D = d"), "{near}");
@@ -108,11 +108,16 @@ fn a_sweep_is_the_forecast_at_each_point() {
         assert_eq!(point["F_kN"], f["field"]["F_kN"]);
         assert_eq!(point["delta_m"], f["field"]["delta_m"]);
         assert_eq!(point["utilisation"], f["design"]["at_force"]["utilisation"]);
+        // Without a factor on the load both deflections are one.
+        assert_eq!(point["service_delta_m"], f["design"]["at_force"]["delta_m"]);
     }
     let (header, rows) = table(&good(&[&arguments[..], &["--format", "csv"]].concat()));
-    assert_eq!(header, ["L_m", "F_kN", "delta_m", "utilisation", "missing", "warnings"]);
+    assert_eq!(
+        header,
+        ["L_m", "F_kN", "delta_m", "utilisation", "service_delta_m", "missing", "warnings"]
+    );
     assert_eq!(rows[2][..3], ["3", "27.063", "0.63504"]);
-    assert_eq!(rows[2][5], "reference_point");
+    assert_eq!(rows[2][6], "reference_point");
     let text = good(&arguments);
     fits(&text);
     assert!(text.contains("3.00    27.1     0.635   73.9"), "{text}");
@@ -132,7 +137,7 @@ fn a_map_runs_along_the_first_input_and_shades_its_cells() {
     let text = good(&arguments);
     fits(&text);
     assert!(text.contains("   1.60 |?      ?      #26.4"), "{text}");
-    assert_eq!(text.matches(" up").count(), 3, "F, delta and use: {text}");
+    assert_eq!(text.matches(" up").count(), 4, "F, delta, use and delta at F: {text}");
     // More columns than there is room for are thinned, and the text says so.
     let wide = ["sweep", "--vary", "ex", "--from", "-1.5", "--to", "1.5", "--steps", "301"];
     let wide = good(&[&wide[..], &["--vary2", "ey", "--from2", "-1.5", "--to2", "1.5"]].concat());

@@ -211,7 +211,7 @@ const EXPORT: &[Binding] = &[
 /// The page of the sensitivity.
 #[rustfmt::skip]
 const SENSITIVITY: &[Binding] = &[
-    k(A::Study(NextColumn),     &[RIGHT, c('e'), c(' ')], "next value", "show the change of the next value: F, delta, utilisation"),
+    k(A::Study(NextColumn),     &[RIGHT, c('e'), c(' ')], "next value", "show the change of the next value: F, delta, use, delta at F"),
     k(A::Study(PreviousColumn), &[LEFT],                  "",           "show the change of the previous value"),
     k(A::Check,                 &[c('c')],                "check",      "check the layout and each step of d, L, D, ex, ey by simulation"),
     k(A::Fidelity,              &[c('f')],                "fidelity",   FIDELITY),
@@ -232,7 +232,7 @@ const SWEEP: &[Binding] = &[
     k(A::Study(Two),            &[c('2')],         "map",   "a second input, which makes a map; on a range it starts a value"),
     k(A::Study(SecondInput),    &[c('m')],         "",      "a second input, or only one again"),
     k(A::Check,                 &[c('c')],         "check", "check every point by simulation"),
-    k(A::Study(NextValue),      &[c('e'), c(' ')], "value", "show the next value: F, delta, utilisation"),
+    k(A::Study(NextValue),      &[c('e'), c(' ')], "value", "show the next value: F, delta, use, delta at F"),
     k(A::Study(MarkNext),       &[c('>')],         "mark",  "mark the next point"),
     k(A::Study(MarkPrevious),   &[c('<')],         "",      "mark the previous point"),
     k(A::Study(Adopt),          &[c('a')],         "take",  "take the marked point into the layout; undo takes it back"),

@@ -27,7 +27,7 @@ pub enum ColumnHead {
 
 impl ColumnHead {
     /// All columns in the order of the table, the name first.
-    pub(crate) const ALL: [ColumnHead; 18] = [
+    pub(crate) const ALL: [ColumnHead; 19] = [
         ColumnHead::Of(Column::Name),
         ColumnHead::Of(Column::Size(Input::Plate)),
         ColumnHead::Of(Column::Size(Input::Spacing)),
@@ -42,6 +42,7 @@ impl ColumnHead {
         ColumnHead::Of(Column::ForceRatio),
         ColumnHead::Of(Column::DeflectionRatio),
         ColumnHead::Of(Column::DesignDeflection),
+        ColumnHead::Of(Column::ServiceDeflection),
         ColumnHead::DemDeflection,
         ColumnHead::DemOverDeflection,
         ColumnHead::DemUtilisation,

@@ -125,14 +125,10 @@ impl Studies {
     }
 }
 
-/// The neighbour of a value that studies speak of; the utilisation is left out where no design force
-/// is set.
+/// The neighbour of a value that studies speak of, among those there are with or without a design
+/// force.
 fn neighbour(shown: Shown, next: bool, asked: bool) -> Shown {
-    match (shown, next) {
-        (Shown::Force, true) => Shown::Deflection,
-        (Shown::Deflection, true) | (Shown::Force, false) if asked => Shown::Utilisation,
-        (Shown::Deflection, true) | (Shown::Utilisation, true) => Shown::Force,
-        (Shown::Force, false) | (Shown::Utilisation, false) => Shown::Deflection,
-        (Shown::Deflection, false) => Shown::Force,
-    }
+    let all = Shown::all(asked);
+    let at = all.iter().position(|one| *one == shown).unwrap_or(0);
+    all[(at + if next { 1 } else { all.len() - 1 }) % all.len()]
 }

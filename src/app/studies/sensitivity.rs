@@ -45,7 +45,7 @@ impl SensitivityState {
             let cases = dem::cases(&case);
             let answers = given.answers(&cases);
             let asked = case.question.force.is_some();
-            let effect = self.effect.filter(|e| asked || *e != Effect::Utilisation);
+            let effect = self.effect.filter(|e| Effect::all(asked).contains(e));
             let purpose = given.purpose(StudyPage::Sensitivity, 0);
             SensitivityView {
                 forecast: sensitivity(&case),

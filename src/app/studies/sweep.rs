@@ -173,7 +173,7 @@ impl SweepState {
             [] => Err(Vec::new()),
         };
         let asked = case.question.force.is_some();
-        let shown = self.shown.filter(|e| asked || *e != Effect::Utilisation);
+        let shown = self.shown.filter(|e| Effect::all(asked).contains(e));
         let mut view = SweepView {
             axes,
             problems: Vec::new(),

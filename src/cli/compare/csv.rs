@@ -16,7 +16,7 @@ struct LayoutRow<'a> {
 
 /// The layouts, with the checks where there are any.
 pub(crate) fn report(compared: &Compared, order: &[usize]) -> String {
-    let [force, deflection, utilisation, at_load, missing, warnings] = point();
+    let [force, deflection, utilisation, at_load, service, missing, warnings] = point();
     let start = Table::<LayoutRow>::new()
         .with("layout", |l| l.row.name.clone().into())
         .with("mesh", |l| l.row.case.mesh.id.clone().into());
@@ -27,7 +27,7 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> String {
         })
         .part([force, deflection], |l| Some(&l.point))
         .part(OVER_LAB, |l| l.row.forecast())
-        .part([utilisation, at_load], |l| Some(&l.point))
+        .part([utilisation, at_load, service], |l| Some(&l.point))
         .with("governing", |l| l.governing.into())
         .part([missing, warnings], |l| Some(&l.point))
         .when(compared.checked.is_some(), |table| {

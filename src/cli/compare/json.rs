@@ -43,7 +43,7 @@ fn one(compared: &Compared, index: usize) -> Object {
     let c = &compared.comparison;
     let row = &c.rows[index];
     let given = PointRow::from(row);
-    let [_, _, utilisation, _, missing, _] = point();
+    let [_, _, utilisation, _, service, missing, _] = point();
     let ratios = row.forecast();
     let ratios = ratios.map(|f| Object::new().columns(&RATIOS, f).columns(&OVER_LAB, f));
     let question = &row.case.question;
@@ -56,7 +56,7 @@ fn one(compared: &Compared, index: usize) -> Object {
         .with("inputs", inputs(&row.case))
         .with("field", given.values.map(objects::values))
         .with("ratios", ratios)
-        .columns(&[utilisation], &given)
+        .columns(&[utilisation, service], &given)
         .with("design", given.answer.map(|answer| design(&answer, question)))
         .and(check.unwrap_or_default())
         .with("governing", c.governing.is_some_and(|g| g.row == index))

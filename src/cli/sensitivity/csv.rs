@@ -24,14 +24,14 @@ struct StepRow<'a> {
 /// The steps of all layouts, with the checks where there are any; several layouts share one table with
 /// the layout's name in front.
 pub(crate) fn report(studied: &[Studied], checks: bool, several: bool) -> String {
-    let [force, deflection, utilisation, _, missing, warnings] = point();
+    let [force, deflection, utilisation, _, service, missing, warnings] = point();
     let table = Table::<StepRow>::new()
         .when(several, |table| table.with("layout", |s| s.name.map(String::from).into()))
         .with("input", |s| s.input.word().into())
         .with("unit", |s| unit(s.input).into())
         .with("step", |s| s.word.into())
         .with("value", |s| columns::input(s.input, s.value))
-        .part([force, deflection, utilisation], |s| Some(&s.point))
+        .part([force, deflection, utilisation, service], |s| Some(&s.point))
         .part(CHANGE, |s| s.change.as_ref())
         .part([missing, warnings], |s| Some(&s.point))
         .when(checks, |table| {

@@ -1,5 +1,5 @@
 //! A sensitivity as tornadoes in characters: one for F_a, one for delta_a, and with a design force one
-//! for the utilisation.
+//! for the utilisation and one for the deflection at that force.
 
 use super::{Studied, both};
 use crate::case::Input;
@@ -42,12 +42,10 @@ fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
                 dem::plan(&mut page, wanted);
                 both::base(&mut page, s, checked);
             }
-            for effect in [Effect::Force, Effect::Deflection, Effect::Utilisation] {
-                if effect != Effect::Utilisation || point.utilisation().is_some() {
-                    match checked {
-                        Some((checked, _)) => both::tornado(&mut page, s, checked, effect),
-                        None => tornado(&mut page, &s.sensitivity, effect),
-                    }
+            for effect in Effect::all(point.utilisation().is_some()) {
+                match checked {
+                    Some((checked, _)) => both::tornado(&mut page, s, checked, *effect),
+                    None => tornado(&mut page, &s.sensitivity, *effect),
                 }
             }
             notes(&mut page, &s.sensitivity);

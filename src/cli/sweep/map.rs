@@ -14,14 +14,12 @@ use crate::study::sweep::SweepAxis;
 /// Most rows that are drawn.
 const MOST_ROWS: usize = 24;
 
-/// Draws a map of F_a, of delta_a, and with a design force of the utilisation; each is followed by
+/// Draws a map of F_a, of delta_a, and with a design force of the utilisation and of the deflection
+/// at that force; each is followed by
 /// that of the checks, where there are any, in the same shades.
 pub(crate) fn draw(page: &mut Page, s: &Swept, second: &SweepAxis) {
     let asked = s.case.question.force.is_some();
-    for shown in [Effect::Force, Effect::Deflection, Effect::Utilisation] {
-        if shown == Effect::Utilisation && !asked {
-            continue;
-        }
+    for shown in Effect::all(asked).iter().copied() {
         let forecast: Vec<Cell> =
             s.sweep.points.iter().map(|outcome| map::forecast(outcome, shown)).collect();
         let checked: Option<Vec<Cell>> = s.checked.as_ref().map(|answers| {

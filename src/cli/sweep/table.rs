@@ -28,7 +28,7 @@ pub(super) fn rows(s: &Swept) -> impl Iterator<Item = SweptPoint<'_>> {
 
 /// What is varied and what it gives.
 pub(super) fn table<'a>(grid: &Grid, named: bool) -> Table<'a, SweptPoint<'a>> {
-    let [force, deflection, utilisation, _, missing, warnings] = point();
+    let [force, deflection, utilisation, _, service, missing, warnings] = point();
     let first = grid.first.input;
     let second = |table: Table<'a, SweptPoint<'a>>, axis: &SweepAxis| {
         let input = axis.input;
@@ -37,7 +37,7 @@ pub(super) fn table<'a>(grid: &Grid, named: bool) -> Table<'a, SweptPoint<'a>> {
     let name = |p: &SweptPoint| p.name.map(String::from).into();
     let table = Table::new().when(named, |table| table.with("layout", name));
     let table = table.with(first.column(), move |p| columns::input(first, p.first));
-    let given = [force, deflection, utilisation, missing, warnings];
+    let given = [force, deflection, utilisation, service, missing, warnings];
     grid.second.iter().fold(table, second).part(given, |p| Some(&p.point))
 }
 

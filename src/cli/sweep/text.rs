@@ -89,7 +89,7 @@ fn line_plot(page: &mut Page, s: &Swept) {
     );
     page.lines.push(String::new());
     let asked = s.case.question.force.is_some();
-    let used = if asked { format!("{:>7}", "use %") } else { String::new() };
+    let used = if asked { format!("{:>7}{:>9}", "use %", "at F") } else { String::new() };
     let head = format!("{} {}", input.symbol(), input_unit(input, unit));
     let delta = format!("delta {}", unit.symbol());
     let front = format!("{head:>11}{:>8}{delta:>10}{used}   ", "F_a kN");
@@ -102,7 +102,10 @@ fn line_plot(page: &mut Page, s: &Swept) {
             Ok(p) => {
                 let v = p.values();
                 let used = match p.utilisation() {
-                    Some(u) => format!("{:>7}", percent(u)),
+                    Some(u) => {
+                        let service = p.service_deflection().map(|v| deflection(v, unit));
+                        format!("{:>7}{:>9}", percent(u), service.unwrap_or("-".into()))
+                    }
                     None => String::new(),
                 };
                 let mark = if p.doubtful() { "!" } else { " " };

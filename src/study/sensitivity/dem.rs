@@ -49,6 +49,8 @@ impl CheckChange {
             Effect::Force => Some(self.force),
             Effect::Deflection => Some(self.deflection),
             Effect::Utilisation => self.utilisation,
+            // Of a check the mean curve gives none.
+            Effect::Service => None,
         }
     }
 }

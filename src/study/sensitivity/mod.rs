@@ -83,6 +83,8 @@ pub struct Change {
     pub deflection: f64,
     /// Of the utilisation, where a design force is set; 0.01 is one per cent of the resistance.
     pub utilisation: Option<f64>,
+    /// Of the service deflection, where a design force is set and reached both times, m.
+    pub service: Option<f64>,
     /// Of F_a, as a part of the case's.
     pub force_part: f64,
     /// Of delta_a, as a part of the case's.
@@ -100,6 +102,16 @@ pub enum Effect {
     Deflection,
     /// Utilisation, dimensionless.
     Utilisation,
+    /// Deflection at the design force without its factor, m.
+    Service,
+}
+
+impl Effect {
+    /// Those there are, in the order shown; the last two only where a design force is set.
+    pub(crate) fn all(asked: bool) -> &'static [Effect] {
+        let all = &[Effect::Force, Effect::Deflection, Effect::Utilisation, Effect::Service];
+        if asked { all } else { &all[..2] }
+    }
 }
 
 impl Change {
@@ -109,6 +121,7 @@ impl Change {
             Effect::Force => Some(self.force),
             Effect::Deflection => Some(self.deflection),
             Effect::Utilisation => self.utilisation,
+            Effect::Service => self.service,
         }
     }
 }
@@ -155,6 +168,8 @@ fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
         force: to.force - from.force,
         deflection: to.deflection - from.deflection,
         utilisation: moved.utilisation().zip(base.utilisation()).map(|(to, from)| to - from),
+        service: (moved.service_deflection().zip(base.service_deflection()))
+            .map(|(to, from)| to - from),
         force_part: to.force / from.force - 1.0,
         deflection_part: to.deflection / from.deflection - 1.0,
         other_branch: moved.branch() != base.branch(),

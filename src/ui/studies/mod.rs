@@ -11,6 +11,7 @@ use super::theme::Theme;
 use crate::app::App;
 use crate::app::keymap::StudyPage;
 use crate::job::pace::duration;
+use crate::show::effect;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect;
 use crate::words::Choice;
@@ -65,12 +66,12 @@ fn nothing(text: &str, area: Rect, buf: &mut Buffer, theme: &Theme) {
 }
 
 /// What a key goes through, with the one that is shown.
-fn value(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Force => "[F] delta use",
-        Effect::Deflection => "F [delta] use",
-        Effect::Utilisation => "F delta [use]",
-    }
+fn value(effect: Effect, asked: bool) -> String {
+    let word = |e: &Effect| match (effect::symbol(*e), *e == effect) {
+        (word, true) => format!("[{word}]"),
+        (word, false) => word.to_string(),
+    };
+    Effect::all(asked).iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Columns and rows of an area.

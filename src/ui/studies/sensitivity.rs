@@ -29,7 +29,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
     let title = format!("sensitivity of {name}: {}", title_of(view.effect, app));
-    heading(buf, area, &title, value(view.effect), theme);
+    let asked = view.case.question.force.is_some();
+    heading(buf, area, &title, &value(view.effect, asked), theme);
     let mut rest = below(area, 1);
     let columns = usize::from(rest.width.saturating_sub(2));
     for (text, style) in top(app, view, theme) {
@@ -42,9 +43,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let notes = notes(app, view, theme);
     let room = if rest.height >= 12 { notes.len() as u16 + 1 } else { 1 };
     let table = Rect { height: rest.height.saturating_sub(room), ..rest };
-    let asked = view.case.question.force.is_some();
-    let all = [Effect::Force, Effect::Deflection, Effect::Utilisation];
-    let others = all.into_iter().filter(|e| asked || *e != Effect::Utilisation);
+    let others = Effect::all(asked).iter().copied();
     let mut left = table;
     for (place, effect) in
         std::iter::once(view.effect).chain(others.filter(|e| *e != view.effect)).enumerate()
@@ -137,6 +136,7 @@ fn lines(
             Effect::Force => "F_a",
             Effect::Deflection => "d_a",
             Effect::Utilisation => "use",
+            Effect::Service => "d_F",
         };
         let label = format!("{:<9}{range}", row.input.symbol());
         lines.push(Line { label, by, moves: row.forecast, ink: Ink::Forecast });

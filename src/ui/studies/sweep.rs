@@ -23,7 +23,7 @@ use ratatui::style::Style;
 /// Columns from which a table of all points stands beside the chart.
 const WITH_TABLE: u16 = 100;
 /// Columns of that table.
-const TABLE: u16 = 44;
+const TABLE: u16 = 51;
 
 /// Draws the page.
 pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
@@ -36,7 +36,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Op
     let unit = app.units();
     let (symbol, symbol_unit) = (effect::symbol(view.shown), effect::unit(view.shown, unit));
     let title = format!("sweep of {name}: {symbol}, {symbol_unit}");
-    heading(buf, area, &title, value(view.shown), theme);
+    heading(buf, area, &title, &value(view.shown, view.case.question.force.is_some()), theme);
     let mut rest = below(area, 1);
     let mut place = None;
     for axis in 0..view.axes.len() {
@@ -205,11 +205,19 @@ fn place(view: &SweepView, unit: LengthUnit) -> String {
     let text = |input: Input, v: f64| {
         format!("{} {} {}", input.symbol(), input_value(input, v, unit), input_unit(input, unit))
     };
-    let mut words = text(grid.first.input, first);
-    if let (Some(axis), Some(v)) = (&grid.second, second) {
-        words.push_str(&format!(", {}", text(axis.input, v)));
+    match (&grid.second, second) {
+        (Some(axis), Some(v))
+            if input_unit(axis.input, unit) == input_unit(grid.first.input, unit) =>
+        {
+            let (symbol, at) =
+                (grid.first.input.symbol(), input_value(grid.first.input, first, unit));
+            format!("{symbol} {at}, {}", text(axis.input, v))
+        }
+        (Some(axis), Some(v)) => {
+            format!("{}, {}", text(grid.first.input, first), text(axis.input, v))
+        }
+        _ => text(grid.first.input, first),
     }
-    words
 }
 
 fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
@@ -223,7 +231,7 @@ fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
         Some(Err(why)) => why.sentence(),
         None => String::new(),
     };
-    lines.push((format!("X at {}: {forecast}", place(view, unit)), theme.forecast));
+    lines.push((format!("X {}: {forecast}", place(view, unit)), theme.forecast));
     let check = match (view.figures.get(view.marked), view.answers.get(view.marked)) {
         (Some(Some(f)), _) => say::check(f, unit),
         (_, Some(Err(why))) if why.code() == "impossible" => format!("none: {}", why.sentence()),
@@ -256,28 +264,29 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
     let unit = app.units();
     let Some(grid) = &view.grid else { return };
     let input = grid.first.input;
-    let ends = [9, 16, 23, 29, 37, 44];
-    let write = |buf: &mut Buffer, row: u16, texts: [String; 6], style: Style| {
+    let ends = [9, 16, 23, 29, 36, 44, 51];
+    let write = |buf: &mut Buffer, row: u16, texts: [String; 7], style: Style| {
         for (end, text) in ends.into_iter().zip(texts) {
             put_right(buf, Rect { width: end, ..area }, row, &text, style);
         }
     };
-    let words = [input.symbol(), "F_a", "delta", "use", "DEM F", "/F_a"].map(String::from);
+    let words = [input.symbol(), "F_a", "delta", "use", "at F", "DEM F", "/F_a"].map(String::from);
     write(buf, 0, words, theme.heading);
     let m = unit.symbol();
-    let units = [input_unit(input, unit), "kN", m, "%", "kN", "%"].map(String::from);
+    let units = [input_unit(input, unit), "kN", m, "%", m, "kN", "%"].map(String::from);
     write(buf, 1, units, theme.heading);
     let rows = usize::from(area.height.saturating_sub(2));
     let first = super::super::layouts::first_shown(view.marked, rows, view.points.len());
     for (line, index) in (first..view.points.len()).take(rows).enumerate() {
         let none = || "-".to_string();
-        let (force, delta, used) = match &view.points[index] {
+        let (force, delta, used, service) = match &view.points[index] {
             Ok(p) => (
                 significant(to_kn(p.values().force), 3),
                 effect::deflection(p.values().deflection, unit),
                 p.utilisation().map_or_else(none, percent),
+                p.service_deflection().map_or_else(none, |v| effect::deflection(v, unit)),
             ),
-            Err(why) => (String::new(), why.short().to_string(), String::new()),
+            Err(why) => (String::new(), why.short().to_string(), String::new(), String::new()),
         };
         let f = view.figures.get(index).and_then(|f| f.as_ref());
         let dem = f.and_then(|f| f.mean).map_or_else(none, |v| significant(to_kn(v.force), 3));
@@ -285,6 +294,6 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
             f.and_then(|f| f.difference).map_or_else(none, |d| format!("{:+.1}", 100.0 * d.force));
         let at = input_value(input, grid.at(index).0, unit);
         let style = if index == view.marked { theme.selected } else { theme.text };
-        write(buf, 2 + line as u16, [at, force, delta, used, dem, over], style);
+        write(buf, 2 + line as u16, [at, force, delta, used, service, dem, over], style);
     }
 }
