@@ -66,6 +66,7 @@ impl App {
                 Ok(n) if rest.is_empty() && (1..=self.editor.layouts().len()).contains(&n) => {
                     self.editor.select(n - 1);
                 }
+                Ok(_) if self.editor.empty() => return Err(super::editor::NONE.into()),
                 Ok(_) => return Err(format!("layouts are 1 to {}", self.editor.layouts().len())),
                 Err(_) => return Err(format!("no command {word:?}; ? lists them")),
             },

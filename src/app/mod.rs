@@ -100,6 +100,22 @@ pub struct Start {
     pub preferences: Preferences,
 }
 
+impl Start {
+    /// A project in no file, on a screen of 80 columns and 24 rows, with settings as they come.
+    pub(crate) fn of(project: Project) -> Start {
+        Start {
+            project: Arc::new(project),
+            path: None,
+            note: None,
+            kept: None,
+            look: Look::default(),
+            units: None,
+            size: (80, 24),
+            preferences: Preferences::default(),
+        }
+    }
+}
+
 impl App {
     /// The state at the start.
     pub fn new(start: Start) -> App {
@@ -180,12 +196,17 @@ impl App {
         self.edited().then(|| self.project().clone())
     }
 
-    /// Index of the selected layout; there always is one.
+    /// Whether the project has no layouts.
+    pub(crate) fn empty(&self) -> bool {
+        self.editor.empty()
+    }
+
+    /// Index of the selected layout; 0 where there is none.
     pub fn selected(&self) -> usize {
         self.editor.selected()
     }
 
-    /// The selected layout.
+    /// The selected layout; a stand-in that no screen shows where there is none.
     pub fn layout(&self) -> &NamedLayout {
         self.editor.layout()
     }
@@ -235,7 +256,10 @@ impl App {
 
     /// The screen whose keys hold now; none while text is typed.
     pub(crate) fn context(&self) -> Option<Context> {
-        self.mode().context()
+        match self.mode().context()? {
+            Context::Main if self.editor.empty() => Some(Context::Empty),
+            context => Some(context),
+        }
     }
 
     /// The message of the bottom line.

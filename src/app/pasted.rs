@@ -85,6 +85,7 @@ impl App {
         let Some(context) = self.context() else { return false };
         match keymap::action(context, Key::char(c)) {
             Some(action) => action == Action::Command,
+            None if self.editor.empty() => false,
             None => begins_number(c) && matches!(self.screen.mode(), Mode::Main | Mode::Study(_)),
         }
     }

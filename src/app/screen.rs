@@ -127,6 +127,13 @@ impl Screen {
         std::mem::replace(&mut self.mode, Mode::Main)
     }
 
+    /// Closes what shows a layout: there is none.
+    pub(super) fn leave_layout(&mut self) {
+        if matches!(self.mode, Mode::Study(_) | Mode::MeshPicker { .. } | Mode::Details { .. }) {
+            self.mode = Mode::Main;
+        }
+    }
+
     /// Begins to type.
     pub(super) fn type_into(&mut self, target: EditTarget, text: impl Into<String>) {
         self.mode = Mode::Entry(LineEntry::new(target, text));

@@ -16,6 +16,9 @@ impl App {
     pub fn update(&mut self, message: Message) -> Vec<Command> {
         self.screen.touch();
         let mut effects = self.take(message);
+        if self.editor.empty() {
+            self.screen.leave_layout();
+        }
         effects.extend(self.follow_edit());
         self.follow_page();
         self.files.note(&effects);
@@ -100,6 +103,7 @@ impl App {
             Some(action) => self.act(action),
             None => {
                 match self.screen.mode() {
+                    Mode::Main if self.editor.empty() => self.no_key(key),
                     Mode::Main => self.start_typing(key),
                     Mode::Study(page) => self.study_key(*page, key),
                     _ => {

@@ -5,10 +5,10 @@ use super::{StartFlags, UiFlags, flags, headless_help, output};
 use crate::app::settings::SettingItem;
 use crate::app::{self, App};
 use crate::project::home::{FirstProject, Home};
-use crate::project::{self, Opened};
+use crate::project::{self, LoadError, Opened};
 use crate::term::capabilities::Surroundings;
 use crate::term::{
-    Ending, FileHost, Session, SessionOptions, TermError, kept, migrated, preferences,
+    Ending, FileHost, Session, SessionOptions, TermError, can_be_shown, kept, migrated, preferences,
 };
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ fn open(path: Option<PathBuf>, flags: Vec<(SettingItem, String)>) -> ExitCode {
     let home = Home::find();
     let start = match path {
         Some(path) => project::load(&path).map(|opened| FirstProject { opened, note: None }),
-        None => home.start_project(),
+        None => home.start_project().and_then(shown_or_sample),
     };
     let FirstProject { opened, note } = match start {
         Ok(start) => start,
@@ -47,6 +47,18 @@ fn open(path: Option<PathBuf>, flags: Vec<(SettingItem, String)>) -> ExitCode {
             output::say("error", &error.to_string());
             ExitCode::from(output::FAILURE)
         }
+    }
+}
+
+/// A project that is opened unasked must not make the start impossible: if it brings out a fault of the
+/// program, the sample takes its place.
+fn shown_or_sample(first: FirstProject) -> Result<FirstProject, LoadError> {
+    match first.opened.document.path() {
+        Some(path) if !can_be_shown(&first.opened.project) => FirstProject::sample(&format!(
+            "The last project, {}, brings out a fault of the program",
+            path.display()
+        )),
+        _ => Ok(first),
     }
 }
 

@@ -5,7 +5,7 @@
 //! written, the program starts all the same and says what it cannot keep.
 
 use super::document::{self, Opened};
-use super::error::LoadError;
+use super::error::{Cause, LoadError};
 use super::load;
 use super::read;
 use super::save::write_atomically;
@@ -90,19 +90,20 @@ impl Home {
 
     /// The project to start with when none is named: the last one, or on the first run a copy of the
     /// sample in the data directory. Where that cannot be made, the sample stands in no file. A last
-    /// project that cannot be opened any more is passed over with a note.
+    /// project that cannot be opened any more is passed over with a note, and so is a list of projects
+    /// that cannot be read.
     ///
     /// # Errors
-    /// Only if the sample in the data directory was changed so that it cannot be read.
+    /// Never but for a fault in the sample that the program brings along.
     pub fn start_project(&self) -> Result<FirstProject, LoadError> {
-        let mut note = None;
-        if let Some(last) = self.recent().first() {
+        let (state, mut note) = match self.state() {
+            Ok(state) => (state, None),
+            Err(why) => (State::default(), Some(format!("The list of recent projects: {why}."))),
+        };
+        if let Some(last) = state.recent.first() {
             match document::load(last) {
-                Ok(opened) => return Ok(FirstProject { opened, note: None }),
-                Err(error) => {
-                    let why = error.faults.first().map_or("", |f| f.problem.message.as_str());
-                    note = Some(format!("The last project, {}: {why}.", last.display()));
-                }
+                Ok(opened) => return Ok(FirstProject { opened, note }),
+                Err(error) => note = Some(passed_over(last, &error)),
             }
         }
         let Some(dir) = &self.dir else {
@@ -115,7 +116,10 @@ impl Home {
             fs::create_dir_all(dir).and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
         };
         match made {
-            Ok(()) => Ok(FirstProject { opened: document::load(&path)?, note }),
+            Ok(()) => match document::load(&path) {
+                Ok(opened) => Ok(FirstProject { opened, note }),
+                Err(error) => unsaved(note, &passed_over(&path, &error)),
+            },
             Err(_) => unsaved(note, &format!("{} cannot be written", dir.display())),
         }
     }
@@ -128,7 +132,8 @@ impl Home {
     pub fn remember(&self, path: &Path) -> io::Result<bool> {
         let Some(file) = self.state_file() else { return Ok(false) };
         let path = std::path::absolute(path)?;
-        let mut state = self.state();
+        // A list that cannot be read is made anew; the start has said so.
+        let mut state = self.state().unwrap_or_default();
         if state.recent.first() == Some(&path) {
             return Ok(true);
         }
@@ -146,23 +151,45 @@ impl Home {
 
     /// Projects that were open, the last one first, at most 20. Some may be gone by now.
     pub fn recent(&self) -> Vec<PathBuf> {
-        self.state().recent
+        self.state().unwrap_or_default().recent
     }
 
     fn state_file(&self) -> Option<PathBuf> {
         self.dir.as_ref().map(|dir| dir.join("state.ron"))
     }
 
-    /// What is remembered; nothing where the file is missing or damaged.
-    fn state(&self) -> State {
-        let file = self.state_file().filter(|f| f.is_file());
-        let bytes = file.and_then(|file| load::read_bytes(&file).ok());
-        let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
-        let read = |text: String| {
-            let tree = parser::parse(&text).ok()?;
-            read::what_is_known(&text, &tree.root)
+    /// What is remembered; nothing where there is no file.
+    ///
+    /// # Errors
+    /// What is wrong with the file, in a few words.
+    fn state(&self) -> Result<State, String> {
+        let Some(file) = self.state_file() else { return Ok(State::default()) };
+        let shown = file.display().to_string();
+        let text = match load::read_bytes(&file).and_then(|bytes| load::decode_utf8(bytes, &shown))
+        {
+            Ok(text) => text,
+            Err(error) if error.cause == Cause::NotFound => return Ok(State::default()),
+            Err(error) => return Err(error.in_one_line()),
         };
-        text.and_then(read).unwrap_or_default()
+        let damaged = || format!("{shown} cannot be read and begins anew");
+        let tree = parser::parse(&text).map_err(|_| damaged())?;
+        read::what_is_known(&text, &tree.root).ok_or_else(damaged)
+    }
+}
+
+/// What is said of a project that cannot be opened at the start.
+fn passed_over(path: &Path, error: &LoadError) -> String {
+    let why = error.faults.first().map_or("", |f| f.problem.message.as_str());
+    format!("The last project, {}: {why}.", path.display())
+}
+
+impl FirstProject {
+    /// The sample in no file, for a start on which nothing else can be shown.
+    ///
+    /// # Errors
+    /// Never but for a fault in the sample.
+    pub(crate) fn sample(why: &str) -> Result<FirstProject, LoadError> {
+        unsaved(None, why)
     }
 }
 
@@ -181,7 +208,7 @@ pub(crate) fn typed_path(path: &Path) -> PathBuf {
 /// The sample in no file.
 fn unsaved(note: Option<String>, why: &str) -> Result<FirstProject, LoadError> {
     let mut said = note.map(|n| n + " ").unwrap_or_default();
-    said.push_str(why);
+    said.push_str(why.trim_end_matches('.'));
     said.push_str(": this is the sample, kept nowhere until you save it under a name.");
     Ok(FirstProject { opened: document::parse(SAMPLE, SAMPLE_NAME)?, note: Some(said) })
 }

@@ -57,3 +57,4 @@ pub(crate) use preferences::preferences;
 pub use program::{Host, Program};
 pub use run::Ending;
 pub use session::{Session, SessionOptions};
+pub(crate) use state::can_be_shown;

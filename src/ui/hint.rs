@@ -17,8 +17,11 @@ pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
         None => "not saved to a file".to_string(),
     };
     let star = if app.edited() { " *" } else { "" };
-    let mesh =
-        app.result().mesh().as_ref().map_or(app.layout().mesh.clone(), |m| m.title().to_string());
+    let mesh = match app.result().mesh() {
+        Some(mesh) => mesh.title().to_string(),
+        None if app.empty() => String::new(),
+        None => app.layout().mesh.clone(),
+    };
     let room = usize::from(row.width);
     let left = format!(" meshcast  {}{star}", cut(&file, room / 3));
     let end = put(buf, row, 0, 0, &left, theme.title);

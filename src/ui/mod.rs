@@ -25,6 +25,7 @@ pub(crate) mod compact;
 pub(crate) mod confirm;
 pub(crate) mod contours;
 mod curves;
+mod empty;
 pub(crate) mod export;
 pub(crate) mod hint;
 pub(crate) mod inputs;
@@ -81,7 +82,9 @@ pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
         Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {
-            let behind = if fits(LARGE) {
+            let behind = if app.empty() {
+                empty::draw(app, middle, buf, &theme)
+            } else if fits(LARGE) {
                 large(app, middle, buf, &theme)
             } else if fits(FULL) {
                 full(app, middle, buf, &theme)

@@ -3,6 +3,7 @@
 mod canned;
 mod checks;
 mod desk;
+mod empty;
 mod harness;
 mod new_user;
 mod readme;

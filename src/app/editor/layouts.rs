@@ -1,6 +1,6 @@
 //! Edits of a layout and of the list of layouts; each is one step of undo.
 
-use super::Editor;
+use super::{Editor, NONE};
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
 use crate::layout::{self, BranchRule, Layout};
@@ -37,9 +37,9 @@ impl Editor {
 
     /// Sets the selected input to a checked value, or clears it.
     pub(in crate::app) fn set_field(&mut self, value: Option<f64>) {
-        let (field, selected) = (self.field, self.selected);
+        let field = self.field;
         let label = format!("{} of {}", field.word(), self.layout().name);
-        self.edit(label, |project| project.layouts[selected].set(field, value));
+        self.edit_layout(label, |layout| layout.set(field, value));
     }
 
     /// The text of an input's value; empty where it is not set.
@@ -97,7 +97,8 @@ impl Editor {
         if self.project.layouts.len() >= MOST_LAYOUTS {
             return Err(format!("a project holds at most {MOST_LAYOUTS} layouts"));
         }
-        let (name, at) = (layout.name.clone(), self.selected + 1);
+        let at = (self.selected + 1).min(self.project.layouts.len());
+        let name = layout.name.clone();
         self.edit(format!("{name} {verb}"), |project| project.layouts.insert(at, layout));
         self.selected = at;
         Ok(format!("{verb} {name}; r renames it"))
@@ -108,8 +109,10 @@ impl Editor {
     /// # Errors
     /// It is the last one.
     pub(in crate::app) fn delete_layout(&mut self) -> Result<String, String> {
-        if self.project.layouts.len() == 1 {
-            return Err("a project keeps at least one layout".into());
+        match self.project.layouts.len() {
+            0 => return Err(NONE.into()),
+            1 => return Err("a project keeps at least one layout".into()),
+            _ => {}
         }
         let (name, at) = (self.layout().name.clone(), self.selected);
         self.edit(format!("{name} deleted"), |project| {
@@ -148,15 +151,14 @@ impl Editor {
             return Err(format!("another layout is already called {name:?}"));
         }
         let label = format!("name of {}", self.layout().name);
-        self.edit(label, |project| project.layouts[at].name = name.to_string());
+        self.edit_layout(label, |layout| layout.name = name.to_string());
         Ok(())
     }
 
     /// Sets the note of the selected layout.
     pub(in crate::app) fn set_note(&mut self, note: &str) {
-        let at = self.selected;
         let label = format!("note of {}", self.layout().name);
-        self.edit(label, |project| project.layouts[at].note = note.trim().to_string());
+        self.edit_layout(label, |layout| layout.note = note.trim().to_string());
     }
 
     /// Marks the selected layout for overlay, or unmarks it; what to say.
@@ -164,7 +166,6 @@ impl Editor {
     /// # Errors
     /// There are too many.
     pub(in crate::app) fn toggle_overlay(&mut self) -> Result<String, String> {
-        let at = self.selected;
         let marked = self.project.layouts.iter().filter(|l| l.overlay).count();
         if !self.layout().overlay && marked >= MOST_OVERLAYS {
             return Err(format!(
@@ -172,10 +173,7 @@ impl Editor {
             ));
         }
         let label = format!("overlay of {}", self.layout().name);
-        self.edit(label, |project| {
-            let layout = &mut project.layouts[at];
-            layout.overlay = !layout.overlay;
-        });
+        self.edit_layout(label, |layout| layout.overlay = !layout.overlay);
         let name = self.layout().name.clone();
         Ok(match self.layout().overlay {
             true => format!("{name} stays on the chart; select another layout to compare"),
@@ -185,13 +183,12 @@ impl Editor {
 
     /// Switches the branch rule of the selected layout; what to say.
     pub(in crate::app) fn toggle_branch(&mut self) -> &'static str {
-        let at = self.selected;
         let rule = match self.layout().branch {
             BranchRule::Published => BranchRule::Conservative,
             BranchRule::Conservative => BranchRule::Published,
         };
         let label = format!("branch of {}", self.layout().name);
-        self.edit(label, |project| project.layouts[at].branch = rule);
+        self.edit_layout(label, |layout| layout.branch = rule);
         match rule {
             BranchRule::Published => "branch of A.1-A.2 as published: by D <= d",
             BranchRule::Conservative => "conservative: the branch of A.1-A.2 with the lower force",
@@ -216,8 +213,11 @@ impl Editor {
     /// Gives the selected layout a mesh, by its identifier; the project then names it too.
     ///
     /// # Errors
-    /// That there is no such mesh, with the known ones.
+    /// That there is no such mesh, with the known ones, or no layout.
     pub(in crate::app) fn set_mesh(&mut self, id: &str) -> Result<(), String> {
+        if self.empty() {
+            return Err(NONE.into());
+        }
         let choices = self.meshes();
         if !choices.iter().any(|c| c.mesh.id == id) {
             let known: Vec<&str> = choices.iter().map(|c| c.mesh.id.as_str()).collect();
@@ -226,7 +226,9 @@ impl Editor {
         let at = self.selected;
         let label = format!("mesh of {}", self.layout().name);
         self.edit(label, |project| {
-            project.layouts[at].mesh = id.to_string();
+            if let Some(layout) = project.layouts.get_mut(at) {
+                layout.mesh = id.to_string();
+            }
             if !project.meshes.iter().any(|m| m.id() == id) {
                 // An empty list stands for the reference mesh, which must stay the first.
                 if project.meshes.is_empty() && id != REFERENCE_ID {
@@ -248,9 +250,9 @@ impl Editor {
         words: &str,
     ) -> Result<String, String> {
         sizes.check().map_err(|problems| problem::summary(&problems))?;
-        let (at, name) = (self.selected, self.layout().name.clone());
+        let name = self.layout().name.clone();
         let label = format!("{words} of {name}");
-        Ok(match self.edit(label, |project| project.layouts[at].layout = sizes) {
+        Ok(match self.edit_layout(label, |layout| layout.layout = sizes) {
             true => format!("{words} of {name} set; u undoes it"),
             false => format!("{name} is like that already"),
         })

@@ -11,12 +11,18 @@ pub(super) use layouts::MeshChoice;
 
 use super::derived::{self, LayoutResult};
 use crate::case::{Case, Input};
+use crate::layout;
+use crate::mesh::REFERENCE_ID;
+use crate::problem::Problem;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::CheckResult;
 use crate::units::LengthUnit;
 use history::HistoryStep;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// What is said where a layout is asked for and the project has none.
+pub(super) const NONE: &str = "this project has no layouts yet; a adds one";
 
 /// The editor's part of the state.
 #[derive(Debug)]
@@ -28,6 +34,8 @@ pub(super) struct Editor {
     selected: usize,
     field: Input,
     results: Vec<LayoutResult>,
+    /// What stands for the selected layout of a project without layouts; never shown.
+    stand_in: (NamedLayout, LayoutResult),
     /// A unit asked for beside the project: it is not the project's and never saved.
     units: Option<LengthUnit>,
 }
@@ -47,6 +55,10 @@ impl Editor {
             history: History::default(),
             selected: 0,
             field: Input::Plate,
+            stand_in: (
+                NamedLayout::new("", layout::REFERENCE, REFERENCE_ID),
+                LayoutResult { case: None, derived: Err(vec![Problem::new("layouts", NONE)]) },
+            ),
             units,
         }
     }
@@ -77,14 +89,19 @@ impl Editor {
         &self.project.layouts
     }
 
-    /// Index of the selected layout; there always is one.
+    /// Whether the project has no layouts.
+    pub(super) fn empty(&self) -> bool {
+        self.project.layouts.is_empty()
+    }
+
+    /// Index of the selected layout; 0 where there is none.
     pub(super) fn selected(&self) -> usize {
         self.selected
     }
 
-    /// The selected layout.
+    /// The selected layout; a stand-in where there is none.
     pub(super) fn layout(&self) -> &NamedLayout {
-        &self.project.layouts[self.selected]
+        self.project.layouts.get(self.selected).unwrap_or(&self.stand_in.0)
     }
 
     /// The selected input.
@@ -99,7 +116,7 @@ impl Editor {
 
     /// What follows from the selected layout.
     pub(super) fn result(&self) -> &LayoutResult {
-        &self.results[self.selected]
+        self.results.get(self.selected).unwrap_or(&self.stand_in.1)
     }
 
     /// A layout as a case; nothing where its mesh is not known.
@@ -131,7 +148,7 @@ impl Editor {
 
     /// Selects the next or the previous layout, round and round.
     pub(super) fn select_neighbour(&mut self, next: bool) {
-        let count = self.project.layouts.len();
+        let count = self.project.layouts.len().max(1);
         self.selected = (self.selected + if next { 1 } else { count - 1 }) % count;
     }
 
@@ -179,6 +196,20 @@ impl Editor {
             self.derive();
         }
         changed
+    }
+
+    /// Makes an edit of the selected layout, see [`Editor::edit`]; without one nothing happens.
+    fn edit_layout(
+        &mut self,
+        label: impl Into<String>,
+        change: impl FnOnce(&mut NamedLayout),
+    ) -> bool {
+        let at = self.selected;
+        self.edit(label, |project| {
+            if let Some(layout) = project.layouts.get_mut(at) {
+                change(layout);
+            }
+        })
     }
 
     /// Takes back edits kept from a lost session, as an edit.

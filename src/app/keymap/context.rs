@@ -5,6 +5,8 @@
 pub enum Context {
     /// The main screen.
     Main,
+    /// The main screen of a project without layouts.
+    Empty,
     /// Help and details: text that scrolls.
     Pager,
     /// The list of meshes.
@@ -37,8 +39,9 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub(crate) const ALL: [Context; 15] = [
+    pub(crate) const ALL: [Context; 16] = [
         Context::Main,
+        Context::Empty,
         Context::Pager,
         Context::MeshPicker,
         Context::ConfirmQuit,
@@ -65,6 +68,7 @@ impl Context {
     pub(crate) fn heading(self) -> &'static str {
         match self {
             Context::Main => "Main screen",
+            Context::Empty => "Main screen of a project without layouts",
             Context::Pager => "Help and details",
             Context::MeshPicker => "Mesh list",
             Context::ConfirmQuit => "Unsaved edits",

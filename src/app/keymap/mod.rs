@@ -35,7 +35,9 @@ pub(crate) fn action(context: Context, key: Key) -> Option<Action> {
 /// The bindings of a screen, in order: its own, then those that hold everywhere, then those of all
 /// pages of studies.
 pub fn of(context: Context) -> impl Iterator<Item = &'static Binding> {
-    let common = if context == Context::Main { &[] } else { table::EVERYWHERE };
+    // The main screen says the same at its own place.
+    let own = matches!(context, Context::Main | Context::Empty);
+    let common = if own { &[] } else { table::EVERYWHERE };
     let pages = if context.is_study() { table::PAGES } else { &[] };
     table::own(context).iter().chain(common).chain(pages)
 }

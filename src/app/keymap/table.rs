@@ -54,6 +54,7 @@ const FIDELITY: &str = "how exactly the checks of studies compute";
 pub(super) const fn own(context: Context) -> &'static [Binding] {
     match context {
         Context::Main => MAIN,
+        Context::Empty => EMPTY,
         Context::Pager => PAGER,
         Context::MeshPicker => MESH_PICKER,
         Context::ConfirmQuit => CONFIRM_QUIT,
@@ -117,6 +118,22 @@ const MAIN: &[Binding] = &[
     k(open(Sweep),       &[c('w')],                       "sweep",       "sweep: one input over a range as a chart, or two as a map"),
     k(open(Compare),     &[c('v')],                       "compare",     "compare: all layouts in a table that can be sorted, with their curves"),
     k(open(Design),      &[c('g')],                       "design",      "design: which d, L or D just meets the design values"),
+];
+
+/// The main screen of a project without layouts: what needs none.
+#[rustfmt::skip]
+const EMPTY: &[Binding] = &[
+    k(A::Add,            &[c('a'), ENTER],                "add",         "add a layout at the reference point"),
+    k(A::Help,           &[c('?'), F1],                   "help",        "this help"),
+    k(A::Quit,           &[c('q'), ctrl('c'), ctrl('q')], "quit",        "quit; asks when edits are unsaved"),
+    k(A::Open,           &[c('O'), ctrl('o')],            "open",        "open another project: recent ones and those near by"),
+    k(A::Save,           &[ctrl('s')],                    "save",        "save; :w does the same where Ctrl+S does not arrive"),
+    k(A::Undo,           &[c('u')],                       "undo",        "undo"),
+    k(A::Redo,           &[c('U'), ctrl('r'), ctrl('y')], "redo",        "redo"),
+    k(A::Command,        &[c(':')],                       "command",     "command line"),
+    k(A::Units,          &[c('t')],                       "units",       "lengths in m or mm"),
+    k(A::Redraw,         &[ctrl('l')],                    "",            "draw the screen anew"),
+    k(A::Suspend,        &[ctrl('z')],                    "",            "suspend; fg brings the program back"),
 ];
 
 /// Help and details.

@@ -17,8 +17,11 @@ pub(super) enum Topic {
 
 impl Topic {
     /// What the help on a screen is about.
-    pub(super) fn of(mode: &Mode) -> Topic {
-        mode.context().map_or(Topic::Typing, Topic::Screen)
+    pub(super) fn of(mode: &Mode, empty: bool) -> Topic {
+        match mode.context() {
+            Some(Context::Main) if empty => Topic::Screen(Context::Empty),
+            context => context.map_or(Topic::Typing, Topic::Screen),
+        }
     }
 }
 
@@ -32,7 +35,9 @@ pub(super) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
         Topic::Typing => typing(&mut page),
         Topic::Screen(context) => keys(&mut page, context, true),
     }
-    for context in Context::ALL.into_iter().filter(|c| Topic::Screen(*c) != topic) {
+    // A project without layouts is rare: its keys are told where it is one.
+    let others = Context::ALL.into_iter().filter(|c| *c != Context::Empty);
+    for context in others.filter(|c| Topic::Screen(*c) != topic) {
         keys(&mut page, context, false);
     }
     if topic != Topic::Typing {
@@ -56,7 +61,7 @@ fn keys(page: &mut TextPage, context: Context, all: bool) {
     // What holds on every screen is said once, with the main screen.
     let said = |action| {
         let shared = !all && keymap::shared(context, action);
-        shared || context != Context::Main && keymap::everywhere(action)
+        shared || !matches!(context, Context::Main | Context::Empty) && keymap::everywhere(action)
     };
     for b in keymap::of(context).filter(|b| !said(b.action)) {
         let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();

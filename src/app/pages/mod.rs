@@ -32,7 +32,10 @@ impl App {
     pub(crate) fn page_lines(&self) -> Vec<PageLine> {
         match self.mode() {
             Mode::Details { .. } => details::details(self, self.page_width()),
-            _ => help::help(self.page_width(), help::Topic::of(self.screen.under_help())),
+            _ => {
+                let topic = help::Topic::of(self.screen.under_help(), self.empty());
+                help::help(self.page_width(), topic)
+            }
         }
     }
 }

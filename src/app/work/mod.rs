@@ -86,6 +86,9 @@ impl Work {
     ) -> Result<Command, String> {
         let chosen = if all { 0..editor.layouts().len() } else { one(editor.selected()) };
         let targets: Vec<CheckTarget> = chosen.filter_map(|i| target(editor, i)).collect();
+        if editor.empty() {
+            return Err(super::editor::NONE.into());
+        }
         if targets.is_empty() {
             return Err("this layout's mesh is not known, so it cannot be checked".into());
         }

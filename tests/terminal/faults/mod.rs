@@ -1,8 +1,10 @@
 //! Faults that were found in use or by attack, each in a file of its own: what was seen, why, and the
 //! test that fails where it comes back.
 
+mod bad_start;
 mod bursts;
 mod cursor;
+mod empty_project;
 mod home;
 mod late_answers;
 mod more_signals;
