@@ -138,7 +138,8 @@ mod tests {
     #[test]
     fn senseless_sizes_are_errors_with_field_value_and_range() {
         let wrong = Layout { plate: -0.1, punch: 3.0, ex: f64::NAN, ..REFERENCE };
-        let said: Vec<String> = wrong.check().unwrap_err().iter().map(|p| p.to_string()).collect();
+        let said: Vec<String> =
+            wrong.check().unwrap_err().iter().map(std::string::ToString::to_string).collect();
         assert_eq!(said.len(), 3);
         assert_eq!(
             said[0],

@@ -86,7 +86,7 @@ fn run(
     let note = unreadable.or(bad_settings).or(note).or_else(|| migrated(&document));
     let mut app = App::new(app::Start {
         project: Arc::new(project),
-        path: document.path().map(|p| p.to_path_buf()),
+        path: document.path().map(std::path::Path::to_path_buf),
         note,
         kept,
         look: preferences.look(&settings),

@@ -166,7 +166,7 @@ fn mistyped_command(path: &Path) -> Option<String> {
         return None;
     }
     let root = Root::command();
-    let names: Vec<&str> = root.get_subcommands().map(|c| c.get_name()).collect();
+    let names: Vec<&str> = root.get_subcommands().map(clap::Command::get_name).collect();
     nearest(text, &names).map(str::to_string)
 }
 

@@ -30,7 +30,9 @@ impl ProjectFile {
                 None => return Err(Fault::input(unknown_layout(project, name))),
             },
         };
-        let all = found.map_err(|all| Fault::Input(all.iter().map(|p| p.to_string()).collect()))?;
+        let all = found.map_err(|all| {
+            Fault::Input(all.iter().map(std::string::ToString::to_string).collect())
+        })?;
         Ok((opened, all))
     }
 }

@@ -112,7 +112,7 @@ impl Watch {
 
     fn lock(&self) -> std::sync::MutexGuard<'_, State> {
         // Nothing here panics while it holds the lock, and the state stays whole if it did.
-        self.state.lock().unwrap_or_else(|e| e.into_inner())
+        self.state.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }
 

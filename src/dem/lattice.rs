@@ -267,7 +267,7 @@ pub(super) mod tests {
     #[test]
     fn stretch_stays_within_the_stated_bounds_near_1_3_m() {
         for k in 0..60 {
-            let size = 1.25 + 0.005 * k as f64;
+            let size = 1.25 + 0.005 * f64::from(k);
             let p = Lattice::periodic(&NET, size, [0.0, 0.0]);
             assert!((p.stretch[0] - 1.0).abs() < 0.033 && (p.stretch[1] - 1.0).abs() < 0.064);
         }

@@ -259,7 +259,8 @@ mod tests {
     fn the_published_scenes_hold_the_published_number_of_nodes() {
         for (test, held) in [(Test::Anchored, 32), (Test::Laboratory, 150)] {
             let scene = Scene::new(&spec(test)).unwrap();
-            let count: usize = scene.fixed.iter().map(|p| p[0] as usize + p[1] as usize).sum();
+            let count: usize =
+                scene.fixed.iter().map(|p| usize::from(p[0]) + usize::from(p[1])).sum();
             assert_eq!(count, held, "{test:?}");
         }
     }

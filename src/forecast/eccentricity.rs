@@ -464,7 +464,8 @@ mod tests {
             // Where the table has no data the surface stays between sensible bounds.
             for i in 0..=20 {
                 for j in 0..=20 {
-                    let v = surface.smooth_value(&Basis::at(i as f64 / 40.0, j as f64 / 40.0));
+                    let v =
+                        surface.smooth_value(&Basis::at(f64::from(i) / 40.0, f64::from(j) / 40.0));
                     assert!((0.3..1.2).contains(&v), "{i} {j}: {v}");
                 }
             }

@@ -152,7 +152,7 @@ mod tests {
     fn the_conservative_rule_takes_the_lower_force() {
         for (punch, plate) in [(0.1, 0.32), (0.33, 0.32), (0.38, 0.16), (0.40, 0.48), (0.45, 0.48)]
         {
-            let layout = Layout { punch, plate, ..REFERENCE };
+            let layout = Layout { plate, punch, ..REFERENCE };
             let taken = Branch::by_rule(&layout, BranchRule::Conservative);
             assert!(force_ratio(&layout, taken) <= force_ratio(&layout, taken.other()));
         }
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn nearness_to_the_branch_change() {
-        let near = |punch, plate| near_branch_change(&Layout { punch, plate, ..REFERENCE });
+        let near = |punch, plate| near_branch_change(&Layout { plate, punch, ..REFERENCE });
         assert!(near(0.32, 0.32) && near(0.39, 0.32) && near(0.25, 0.32) && near(0.40, 0.32));
         assert!(near(0.38, 0.16) && !near(0.41, 0.32) && !near(0.23, 0.32) && near(0.58, 0.48));
         assert!(!near(1.0, 0.32) && !near(0.1, 0.16));

@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn the_curve_rises_everywhere() {
-        let least = (0..=1000).map(|i| slope(i as f64 / 1000.0)).fold(f64::MAX, f64::min);
+        let least = (0..=1000).map(|i| slope(f64::from(i) / 1000.0)).fold(f64::MAX, f64::min);
         // Minimum at x = 0.385/3.936: 0.073 - 0.385^2/3.936 = 0.0353
         assert!((least - 0.0353).abs() < 1e-4);
     }
@@ -69,7 +69,7 @@ mod tests {
     #[test]
     fn the_inverse_is_exact() {
         for i in 0..=2000 {
-            let x = i as f64 / 1000.0;
+            let x = f64::from(i) / 1000.0;
             // Rounding only: the slope is at least 0.035, so 1e-16 in y is 3e-15 in x.
             assert!((deflection(force(x)) - x).abs() < 1e-14, "{x}");
         }

@@ -103,7 +103,7 @@ impl Checks {
                 // A live check that was overtaken is of no use to anybody.
                 Ok(_) if self.live && ticket.cancelled() => {}
                 Ok(made) => {
-                    say(What::Made { uid, made: Arc::new(made), more: false, live: self.live })
+                    say(What::Made { uid, made: Arc::new(made), more: false, live: self.live });
                 }
                 Err(problems) => say(What::Refused { uid, problems }),
             }

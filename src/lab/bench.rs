@@ -187,7 +187,7 @@ pub(crate) fn plain(
     scheme.factors = StepFactors { translation: PLAIN_STEP, stretching: PLAIN_STEP };
     let mut outcome = drive(&scene, &mut solver, &scheme, &controls, &mut |_| (listener.ask)());
     let time = thread_seconds() - start;
-    outcome.curve.force = outcome.punch.clone();
+    outcome.curve.force.clone_from(&outcome.punch);
     Ok((outcome.stop != Stop::Cancelled).then_some((outcome, time)))
 }
 

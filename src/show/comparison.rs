@@ -51,8 +51,12 @@ pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String
         Column::Deflection => {
             row.values().map_or_else(|_| none(), |v| deflection(v.deflection, unit))
         }
-        Column::ForceRatio => ratio(forecast.and_then(|f| f.force_over_lab())),
-        Column::DeflectionRatio => ratio(forecast.and_then(|f| f.deflection_over_lab())),
+        Column::ForceRatio => {
+            ratio(forecast.and_then(super::super::forecast::Forecast::force_over_lab))
+        }
+        Column::DeflectionRatio => {
+            ratio(forecast.and_then(super::super::forecast::Forecast::deflection_over_lab))
+        }
         Column::Utilisation => row.utilisation().map_or_else(none, percent),
         Column::DesignDeflection => {
             let at = row.at_force().and_then(|a| a.deflection);

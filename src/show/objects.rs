@@ -138,8 +138,8 @@ pub(crate) fn plan(wanted: &Wanted) -> Object {
 pub(crate) fn check(row: &CheckRow, change: Option<Option<&CheckChange>>) -> Object {
     Object::new()
         .with("check", row.result.map(|result| made(row, result, change)))
-        .with("check_missing", row.missing.map(|why| why.code()))
-        .with("check_reason", row.missing.map(|why| why.sentence()))
+        .with("check_missing", row.missing.map(super::super::study::checks::NoCheck::code))
+        .with("check_reason", row.missing.map(super::super::study::checks::NoCheck::sentence))
 }
 
 fn made(row: &CheckRow, result: &CheckResult, change: Option<Option<&CheckChange>>) -> Object {

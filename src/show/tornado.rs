@@ -138,7 +138,11 @@ pub(crate) fn notes(s: &Sensitivity) -> Vec<(&'static str, &'static str)> {
         ("senseless", "the step makes no sense: plate and punch must be smaller than the spacing"),
     ] {
         let why = |step: &Step| {
-            step.outcome.as_ref().err().filter(|e| e.code() == code).map(|e| e.short())
+            step.outcome
+                .as_ref()
+                .err()
+                .filter(|e| e.code() == code)
+                .map(super::super::case::NoValue::short)
         };
         notes.extend(steps().find_map(why).map(|short| (short, text)));
     }

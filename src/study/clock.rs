@@ -8,7 +8,7 @@ pub fn thread_seconds() -> f64 {
     {
         let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
         // SAFETY: `time` is a valid place for the answer.
-        if unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &mut time) } == 0 {
+        if unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) } == 0 {
             return time.tv_sec as f64 + 1.0e-9 * time.tv_nsec as f64;
         }
     }

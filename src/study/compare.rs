@@ -58,7 +58,9 @@ impl CompareRow {
     /// The heaviest of its warnings; inputs that make no sense are outside.
     pub(crate) fn weight(&self) -> Option<Weight> {
         match self.forecast() {
-            Some(f) => f.warnings.iter().map(|w| w.weight()).max(),
+            Some(f) => {
+                f.warnings.iter().map(super::super::forecast::warning::Warning::weight).max()
+            }
             None => Some(Weight::Outside),
         }
     }

@@ -202,7 +202,7 @@ pub(crate) fn run_watched(
         if goal <= count || cancelled.load(Ordering::Relaxed) {
             break;
         }
-        done.lock().unwrap_or_else(|e| e.into_inner()).resize(goal, None);
+        done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).resize(goal, None);
         let next = AtomicUsize::new(count);
         let failed: Mutex<Vec<Problem>> = Mutex::new(Vec::new());
         let worker = || {
@@ -224,11 +224,12 @@ pub(crate) fn run_watched(
                     Ok(run) => {
                         finished(k, &run);
                         // A lock is only poisoned by a panic, and then the runs in it are still whole.
-                        done.lock().unwrap_or_else(|e| e.into_inner())[k] = Some(run);
+                        done.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[k] =
+                            Some(run);
                     }
                     Err(found) => {
                         cancelled.store(true, Ordering::Relaxed);
-                        *failed.lock().unwrap_or_else(|e| e.into_inner()) = found;
+                        *failed.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = found;
                     }
                 }
             }
@@ -239,13 +240,13 @@ pub(crate) fn run_watched(
             }
             worker();
         });
-        problems = failed.into_inner().unwrap_or_else(|e| e.into_inner());
+        problems = failed.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         if !problems.is_empty() {
             break;
         }
         count = goal;
         if plan.runs.is_none() {
-            let runs = done.lock().unwrap_or_else(|e| e.into_inner());
+            let runs = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             if enough(&runs).is_some() {
                 break;
             }
@@ -254,7 +255,7 @@ pub(crate) fn run_watched(
     if !problems.is_empty() {
         return Err(problems);
     }
-    let mut runs = done.into_inner().unwrap_or_else(|e| e.into_inner());
+    let mut runs = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     if plan.runs.is_none()
         && let Some(n) = enough(&runs)
     {
@@ -284,7 +285,7 @@ fn single(
     (seed, phase): (u64, [f64; 2]),
     mut tell: impl FnMut(RunProgress) -> Flow,
 ) -> Result<Run, Vec<Problem>> {
-    let spec = SceneSpec { seed, phase, ..spec.clone() };
+    let spec = SceneSpec { phase, seed, ..spec.clone() };
     let now = || (clock::wall_seconds(), clock::thread_seconds());
     let start = now();
     let mut at_break = None;

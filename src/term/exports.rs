@@ -41,10 +41,10 @@ pub(super) fn write(document: &Document, wanted: ExportWanted<'_>) -> Result<Exp
         text: document.on_disk(),
         edited: wanted.edited,
     };
-    let text = wanted
-        .kind
-        .text(wanted.project, wanted.layout, source, wanted.unit)
-        .map_err(|found| found.iter().map(|p| p.to_string()).collect::<Vec<_>>().join("; "))?;
+    let text =
+        wanted.kind.text(wanted.project, wanted.layout, source, wanted.unit).map_err(|found| {
+            found.iter().map(std::string::ToString::to_string).collect::<Vec<_>>().join("; ")
+        })?;
     let note = wanted.edited.then(|| "edits are not saved yet".to_string());
     if let Some(path) = wanted.path {
         let path = &typed_path(path);
@@ -54,7 +54,7 @@ pub(super) fn write(document: &Document, wanted: ExportWanted<'_>) -> Result<Exp
         Form::of_path(Some(path), &[wanted.kind.form()])?;
         let overwrite = if wanted.overwrite { Overwrite::Yes } else { Overwrite::No };
         return match write_file(path, &text, overwrite) {
-            Ok(()) => Ok(Exported { path: path.to_path_buf(), note }),
+            Ok(()) => Ok(Exported { path: path.clone(), note }),
             Err(SaveError::Exists(path)) => {
                 Err(format!("{} exists; :export! replaces it", path.display()))
             }

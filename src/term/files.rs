@@ -95,7 +95,7 @@ impl Host for FileHost {
         let (kept, note) = if again { (None, None) } else { kept(&document, &self.home) };
         let note = note.or_else(|| migrated(&document));
         *self.next() = Some(Arc::new(document));
-        Ok(OpenedProject { project: Arc::new(project), path: path.to_path_buf(), note, kept })
+        Ok(OpenedProject { project: Arc::new(project), path: path.clone(), note, kept })
     }
 
     fn take_over(&self) {

@@ -1,6 +1,7 @@
 //! Settings between their file and the program's state.
 
 use super::capabilities::Surroundings;
+use crate::app::look::ColorChoice;
 use crate::app::settings::{Preferences, SettingItem, Settings};
 use crate::project::home::Home;
 use crate::project::settings::KnownSettings;
@@ -46,7 +47,7 @@ pub(crate) fn preferences(
             trouble = Some(error.to_string());
         }
     }
-    let auto = surroundings.look(Default::default(), None);
+    let auto = surroundings.look(ColorChoice::default(), None);
     let file = home.settings_file();
     let mut preferences = Preferences { kept, flags, auto, file, trouble, tour: false };
     // Without a place to keep that it was seen, the tour would come at every start.

@@ -40,6 +40,9 @@ pub trait Program {
 pub trait Host: Send + Sync {
     /// Writes the project to `path`, or to its own file. The recovery file stays: there may be edits
     /// that were made meanwhile.
+    ///
+    /// # Errors
+    /// Why nothing was written, or that the file has changed.
     fn save(
         &self,
         project: &Arc<Project>,
@@ -48,18 +51,30 @@ pub trait Host: Send + Sync {
     ) -> Result<Saved, SaveFailure>;
 
     /// Keeps unsaved edits in the recovery file and says where that is.
+    ///
+    /// # Errors
+    /// Why they could not be kept.
     fn recover(&self, project: &Project) -> Result<PathBuf, String>;
 
     /// Drops the recovery file; there being none is fine.
+    ///
+    /// # Errors
+    /// Why it is still there.
     fn forget_recovery(&self) -> Result<(), String>;
 
     /// Keeps the settings; says what the user should know of it, or why it cannot be done. A host
     /// without a place for them forgets them.
+    ///
+    /// # Errors
+    /// Why they are not kept.
     fn keep_settings(&self, _settings: &Settings) -> Result<Option<String>, String> {
         Ok(None)
     }
 
     /// Writes a report, a chart or a table. A host without files says so.
+    ///
+    /// # Errors
+    /// Why nothing was written.
     fn export(&self, _wanted: ExportWanted<'_>) -> Result<Exported, String> {
         Err("nothing can be written here".to_owned())
     }
@@ -71,6 +86,9 @@ pub trait Host: Send + Sync {
 
     /// Reads a project that may take the place of the present one, see
     /// [`take_over`](Host::take_over).
+    ///
+    /// # Errors
+    /// Why it cannot be read.
     fn open(&self, _path: &Path) -> Result<OpenedProject, OpenFailure> {
         Err(OpenFailure { message: "no other project can be opened here".to_owned() })
     }

@@ -50,6 +50,9 @@ pub struct Session {
 
 impl Session {
     /// Checks that there is a terminal; nothing is changed on it yet.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be watched.
     pub fn open(options: SessionOptions) -> Result<Session, TermError> {
         if !io::stdin().is_terminal() {
             return Err(TermError::NoTerminal("standard input"));
@@ -68,6 +71,9 @@ impl Session {
 
     /// Runs the program until it quits or its terminal is gone. The terminal is as before when this
     /// returns, and also when it does not: on a panic or a signal.
+    ///
+    /// # Errors
+    /// The terminal cannot be read, written or set.
     pub fn run<P: Program>(
         self,
         program: &mut P,

@@ -30,11 +30,11 @@ pub(crate) fn draw(
     let width = area.width.min(60);
     let columns = usize::from(width.saturating_sub(4)).max(10);
     let mut lines: Vec<String> =
-        textwrap::wrap(question, columns).iter().map(|l| l.to_string()).collect();
+        textwrap::wrap(question, columns).iter().map(std::string::ToString::to_string).collect();
     lines.push(String::new());
     for b in keymap::of(context).filter(|b| b.hint.is_some()) {
         let text = format!("{:<7} {}", b.keys[0].to_string(), b.help);
-        lines.extend(textwrap::wrap(&text, columns).iter().map(|l| l.to_string()));
+        lines.extend(textwrap::wrap(&text, columns).iter().map(std::string::ToString::to_string));
     }
     let height = (lines.len() as u16 + 3).min(area.height);
     let x = area.x + (area.width - width) / 2;

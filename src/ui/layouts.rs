@@ -46,7 +46,8 @@ pub(crate) fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
 /// The force of a layout and the mark of its warnings.
 fn force(result: &LayoutResult) -> (String, &'static str) {
     let Some(forecast) = result.forecast() else { return ("error".into(), "!") };
-    let weight = forecast.warnings.iter().map(|w| w.weight()).max();
+    let weight =
+        forecast.warnings.iter().map(super::super::forecast::warning::Warning::weight).max();
     let mark = if weight >= Some(Weight::Caution) { "!" } else { " " };
     let value = match &forecast.field {
         Some(field) => significant(to_kn(field.values.force), 3),

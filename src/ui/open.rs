@@ -32,7 +32,8 @@ pub(crate) fn draw(
     let columns = usize::from(area.width.saturating_sub(3)).max(10);
     let error: Vec<String> =
         picker.error.iter().flat_map(|text| text.lines()).fold(Vec::new(), |mut lines, line| {
-            lines.extend(textwrap::wrap(line, columns).iter().map(|l| l.to_string()));
+            lines
+                .extend(textwrap::wrap(line, columns).iter().map(std::string::ToString::to_string));
             lines
         });
     let rows = area.height.saturating_sub(2);

@@ -44,5 +44,5 @@ fn wrapped(line: &str, columns: usize) -> Vec<String> {
     let words = line.find("  ").map_or(0, |gap| line.len() - line[gap..].trim_start().len());
     let indent = " ".repeat(words);
     let options = textwrap::Options::new(columns).subsequent_indent(&indent);
-    textwrap::wrap(line, options).iter().map(|piece| piece.to_string()).collect()
+    textwrap::wrap(line, options).iter().map(std::string::ToString::to_string).collect()
 }

@@ -24,7 +24,7 @@ fn single(c: &mut Criterion) {
                 let curve =
                     result.as_ref().ok().and_then(|f| f.field).map(|f| f.curve(CURVE_POINTS));
                 (result, curve)
-            })
+            });
         });
     }
 }

@@ -72,11 +72,11 @@ fn blocks(c: &mut Criterion) {
     for path in Path::available() {
         let (mut single, _) = solver::<f32>(&spec("A", 3.0), path);
         c.bench_function(&format!("100 steps of A, f32, {path:?}"), |b| {
-            b.iter(|| single.advance(100, 0.0))
+            b.iter(|| single.advance(100, 0.0));
         });
         let (mut double, _) = solver::<f64>(&spec("A", 3.0), path);
         c.bench_function(&format!("100 steps of A, f64, {path:?}"), |b| {
-            b.iter(|| double.advance(100, 0.0))
+            b.iter(|| double.advance(100, 0.0));
         });
     }
 }

@@ -173,7 +173,7 @@ fn act(project: &mut Project, deed: &Deed) {
                     0 => l.layout.plate = v * l.layout.spacing * 0.99,
                     1 => l.layout.punch = v * l.layout.spacing * 0.99,
                     2 => {
-                        l.layout.spacing = (l.layout.plate.max(l.layout.punch) + v * 3.0).min(99.0)
+                        l.layout.spacing = (l.layout.plate.max(l.layout.punch) + v * 3.0).min(99.0);
                     }
                     3 => l.layout.ex = v - 0.5,
                     4 => l.layout.ey = (v * 10.0).round() / 10.0 - 0.5,

@@ -131,7 +131,10 @@ pub(crate) fn screen(app: &App) -> Buffer {
 pub(crate) fn text(app: &App) -> String {
     let buf = screen(app);
     rows(&buf)
-        .map(|row| row.iter().map(|c| c.symbol()).collect::<String>().trim_end().to_string() + "\n")
+        .map(|row| {
+            row.iter().map(ratatui::buffer::Cell::symbol).collect::<String>().trim_end().to_string()
+                + "\n"
+        })
         .collect()
 }
 

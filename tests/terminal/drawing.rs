@@ -47,7 +47,7 @@ fn a_new_size_draws_the_whole_screen() {
             pty.wait_until("the last cell", |screen| {
                 (0..3).all(|n| {
                     let cell = screen.cell(height - 1, width - 3 + n);
-                    cell.is_some_and(|cell| cell.inverse())
+                    cell.is_some_and(vt100::Cell::inverse)
                 })
             });
         }

@@ -105,7 +105,7 @@ fn a_fault_in_a_worker_is_told_and_the_program_goes_on() {
     pty.wait_for("the worker broke");
     pty.send("+");
     pty.wait_for("count 1");
-    assert!(pty.screen(|screen| screen.alternate_screen()));
+    assert!(pty.screen(vt100::Screen::alternate_screen));
     pty.send("q");
     assert_eq!(pty.wait_exit().exit_code(), 0);
 }

@@ -271,7 +271,7 @@ impl Editor {
         let mut project = (*other).clone();
         for layout in &mut project.layouts {
             if let Some(now) = newer(layout.uid) {
-                layout.check = now.check.clone();
+                layout.check.clone_from(&now.check);
             }
         }
         Arc::new(project)

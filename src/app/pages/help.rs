@@ -64,7 +64,7 @@ fn keys(page: &mut TextPage, context: Context, all: bool) {
         shared || !matches!(context, Context::Main | Context::Empty) && keymap::everywhere(action)
     };
     for b in keymap::of(context).filter(|b| !said(b.action)) {
-        let keys: Vec<String> = b.keys.iter().map(|k| k.to_string()).collect();
+        let keys: Vec<String> = b.keys.iter().map(std::string::ToString::to_string).collect();
         page.text(&format!("  {:<KEYS$} {}", keys.join(" "), b.help), KEYS + 3);
     }
 }

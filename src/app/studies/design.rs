@@ -116,7 +116,7 @@ impl DesignState {
         let coverage = given.coverage(given.purpose(StudyPage::Design, 0), &all, &answers);
         let figures = |answer: Option<&CheckAnswer>, outcome: &CaseValue| {
             let result = answer?.as_ref().ok()?;
-            let forecast = outcome.as_ref().ok().map(|p| p.values());
+            let forecast = outcome.as_ref().ok().map(crate::case::CasePoint::values);
             Some(Figures::of(result, forecast, &case.question))
         };
         let outcome = case.outcome();
@@ -128,7 +128,7 @@ impl DesignState {
             }
         }
         let marked = self.marked.min(lines.len().saturating_sub(1));
-        DesignView { asked, requirement, solutions, lines, marked, coverage, own, outcome, case }
+        DesignView { case, outcome, asked, requirement, solutions, lines, marked, coverage, own }
     }
 
     /// The solutions, made anew only where something changed.

@@ -204,7 +204,7 @@ impl SweepState {
         view.points = sweep(&view.case, grid.clone()).points;
         view.figures = (view.answers.iter().zip(&view.points))
             .map(|(answer, point)| {
-                let forecast = point.as_ref().ok().map(|p| p.values());
+                let forecast = point.as_ref().ok().map(crate::case::CasePoint::values);
                 answer.as_ref().ok().map(|v| Figures::of(v, forecast, &view.case.question))
             })
             .collect();

@@ -21,5 +21,8 @@ pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
 fn no_curve(a: &Answered) -> String {
     let name = a.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
     let why = a.forecast.warnings.iter().find(|w| w.weight() == Weight::Outside);
-    format!("{name}no curve; {}", why.map_or_else(|| "no field value".into(), |w| w.sentence()))
+    format!(
+        "{name}no curve; {}",
+        why.map_or_else(|| "no field value".into(), crate::forecast::warning::Warning::sentence)
+    )
 }

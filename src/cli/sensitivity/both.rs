@@ -22,7 +22,7 @@ pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
         Ok(result) => result,
         Err(why) => return page.line("CHECK", format!("none: {}", why.sentence())),
     };
-    let forecast = s.sensitivity.base.as_ref().ok().map(|p| p.values());
+    let forecast = s.sensitivity.base.as_ref().ok().map(crate::case::CasePoint::values);
     let f = Figures::of(result, forecast, &s.case.question);
     let Some(mean) = f.mean else { return page.line("CHECK", "no run broke a wire") };
     let error = f

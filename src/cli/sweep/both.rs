@@ -46,7 +46,7 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
     ));
     let width = WIDTH - 10 - left - right - 3;
     for ((at, outcome), answer) in s.sweep.grid.columns.iter().zip(points).zip(answers) {
-        let forecast = outcome.as_ref().ok().map(|p| p.values());
+        let forecast = outcome.as_ref().ok().map(crate::case::CasePoint::values);
         let theirs = match outcome {
             Ok(p) => {
                 let v = p.values();

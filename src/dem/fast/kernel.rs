@@ -6,6 +6,11 @@
 //! row i - 1 were too, so all forces belong to the same instant, with one pass over the net and no
 //! scattered writes.
 
+#![expect(
+    clippy::inline_always,
+    reason = "what uses an instruction set has to be compiled where that is enabled"
+)]
+
 use super::lanes::{Lanes, Real};
 use super::state::{BLOCK, BondKind, DomeValues, NetShape, NetState, PAD};
 

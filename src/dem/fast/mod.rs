@@ -348,6 +348,7 @@ pub trait Kernel: Real {
 ///
 /// # Safety
 /// The processor has the instruction set of `L`.
+#[expect(clippy::inline_always, reason = "as in the kernel")]
 #[inline(always)]
 unsafe fn steps<L: lanes::Lanes>(
     state: &mut NetState<L::Real>,

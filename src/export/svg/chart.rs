@@ -179,7 +179,7 @@ impl Content {
             drawing.area(&around, "#dfe6ef", marks::BAND);
         }
         for level in &self.levels {
-            self.level_line(level, &plane, &mut drawing, &mut labels);
+            Self::level_line(level, &plane, &mut drawing, &mut labels);
         }
         for line in &self.lines {
             let points: Vec<_> = line.points.iter().map(|p| plane.at(*p)).collect();
@@ -224,13 +224,7 @@ impl Content {
         entries
     }
 
-    fn level_line(
-        &self,
-        level: &Level,
-        plane: &ChartPlane,
-        drawing: &mut Drawing,
-        labels: &mut Labels,
-    ) {
+    fn level_line(level: &Level, plane: &ChartPlane, drawing: &mut Drawing, labels: &mut Labels) {
         let (last, largest) = (plane.last_deflection(), plane.largest_force());
         let ends = if level.force {
             [

@@ -256,7 +256,11 @@ mod tests {
     #[test]
     fn ranges_that_make_no_sense_are_said_by_field() {
         let said = |first, second| -> Vec<String> {
-            Grid::new(first, second).unwrap_err().iter().map(|p| p.to_string()).collect()
+            Grid::new(first, second)
+                .unwrap_err()
+                .iter()
+                .map(std::string::ToString::to_string)
+                .collect()
         };
         let good = axis(Input::Spacing, 2.0, 3.0, 2);
         assert_eq!(

@@ -172,7 +172,8 @@ fn table(
         let star = if governs { "*" } else { " " };
         put(buf, list, line, 0, &format!("{sign}{letter}{star}"), style);
         let text = cell(view, *row, ColumnHead::Of(Column::Name), unit);
-        let doubt = view.comparison.rows.get(*row).and_then(|r| r.weight());
+        let doubt =
+            view.comparison.rows.get(*row).and_then(crate::study::compare::CompareRow::weight);
         let mark = if doubt >= Some(Weight::Caution) { "!" } else { "" };
         let text = format!("{}{mark}", cut(&text, usize::from(name) - 1));
         put(buf, list, line, 4, &text, style);
