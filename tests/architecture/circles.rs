@@ -25,7 +25,7 @@ impl House {
         house.given_on = (house.files.iter())
             .map(|file| {
                 let given = uses(file.code()).into_iter().filter(|u| u.given_on);
-                given.map(|u| (u.name, house.absolute(&module(&file.path), &u.path))).collect()
+                given.map(|u| (u.name, House::absolute(&module(&file.path), &u.path))).collect()
             })
             .collect();
         house
@@ -33,7 +33,7 @@ impl House {
 
     /// A path from the top; one that begins with neither `crate`, `super` nor `self` begins in the
     /// module itself, or in another crate, which no module answers to.
-    fn absolute(&self, here: &[String], path: &[String]) -> Names {
+    fn absolute(here: &[String], path: &[String]) -> Names {
         let mut at: Names = here.to_vec();
         for (place, name) in path.iter().enumerate() {
             match name.as_str() {
@@ -65,7 +65,7 @@ impl House {
         let taken = |(from, file): (usize, &SourceFile)| {
             let here = module(&file.path);
             let paths = uses(file.code()).into_iter().map(|u| u.path).chain(paths(file.code()));
-            let to = paths.filter_map(|path| self.file_of(&self.absolute(&here, &path)));
+            let to = paths.filter_map(|path| self.file_of(&House::absolute(&here, &path)));
             to.filter(|to| {
                 let there = module(&self.files[*to].path);
                 *to != from && !here.starts_with(&there) && !there.starts_with(&here)

@@ -44,7 +44,7 @@ pub(crate) fn start(project: Project, size: (u16, u16), look: Look) -> App {
         look,
         units: None,
         size,
-        preferences: Default::default(),
+        preferences: Preferences::default(),
     })
 }
 

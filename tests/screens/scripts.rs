@@ -143,7 +143,7 @@ fn a_unit_from_the_command_line_is_not_saved() {
         look: COLOR,
         units: Some(LengthUnit::Millimetre),
         size: (80, 24),
-        preferences: Default::default(),
+        preferences: Preferences::default(),
     });
     assert!(text(&app).contains("250 mm"));
     press(&mut app, "260<Enter>");
@@ -311,7 +311,7 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
             look: COLOR,
             units: None,
             size: (80, 24),
-            preferences: Default::default(),
+            preferences: Preferences::default(),
         })
     };
     let mut app = open();

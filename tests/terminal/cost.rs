@@ -3,6 +3,7 @@
 use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
 use meshcast::app::message::Message;
+use meshcast::app::settings::Preferences;
 use meshcast::app::{App, Start};
 use meshcast::term::{Charset, Painter, Program};
 use std::path::Path;
@@ -40,7 +41,7 @@ impl Bench {
             look,
             units: None,
             size,
-            preferences: Default::default(),
+            preferences: Preferences::default(),
         });
         let painter = Painter::new(Charset::Utf8);
         let mut bench = Bench { app, painter, size, emulator: None };

@@ -138,7 +138,7 @@ impl Program for Toy {
 
 impl Toy {
     fn say(&mut self, text: &str) {
-        self.said = text.to_owned();
+        text.clone_into(&mut self.said);
         self.dirty = true;
     }
 
