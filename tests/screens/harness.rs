@@ -4,6 +4,7 @@ use crate::canned::news;
 use meshcast::app::key::{Code, Key};
 use meshcast::app::look::{ColorMode, Glyphs, Look};
 use meshcast::app::message::{Command, Message};
+use meshcast::app::settings::Preferences;
 use meshcast::app::{App, Start};
 use meshcast::job::Order;
 use meshcast::layout::Layout;

@@ -3,6 +3,7 @@
 use crate::harness::*;
 use meshcast::app::App;
 use meshcast::app::message::{Command, Message, SaveFailure, Saved};
+use meshcast::app::settings::Preferences;
 use meshcast::layout::BranchRule;
 use meshcast::units::LengthUnit;
 use std::path::PathBuf;
