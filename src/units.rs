@@ -15,6 +15,8 @@ pub enum Quantity {
     Length,
     /// A force; SI unit newton.
     Force,
+    /// A force per area; SI unit N/m2.
+    Pressure,
     /// A pure number, such as a partial factor.
     Number,
 }
@@ -92,6 +94,9 @@ const UNITS: &[(&str, Quantity, Scale)] = &[
     ("kN", Quantity::Force, Scale::Times(1000.0)),
     ("MN", Quantity::Force, Scale::Times(1.0e6)),
     ("N", Quantity::Force, Scale::Times(1.0)),
+    ("kN/m2", Quantity::Pressure, Scale::Times(1000.0)),
+    ("kPa", Quantity::Pressure, Scale::Times(1000.0)),
+    ("Pa", Quantity::Pressure, Scale::Times(1.0)),
 ];
 
 #[derive(Debug, Clone, Copy)]
@@ -171,7 +176,7 @@ pub fn parse(
     let scale = if unit.is_empty() {
         match (quantity, length_unit) {
             (Quantity::Length, LengthUnit::Millimetre) => Scale::Over(1000.0),
-            (Quantity::Force, _) => Scale::Times(N_PER_KN),
+            (Quantity::Force | Quantity::Pressure, _) => Scale::Times(N_PER_KN),
             _ => Scale::Times(1.0),
         }
     } else {
@@ -214,6 +219,7 @@ fn find_unit(unit: &str, quantity: Quantity) -> Result<Scale, QuantityError> {
             allowed: match quantity {
                 Quantity::Length => "m, cm or mm",
                 Quantity::Force => "kN, N or MN",
+                Quantity::Pressure => "kN/m2, kPa or Pa",
                 Quantity::Number => "no unit",
             },
         }),
@@ -306,7 +312,8 @@ pub(crate) mod file {
                     "{v} is not a finite number; write an ordinary number such as 0.32"
                 )));
             }
-            let si = if self.0 == Quantity::Force { super::from_kn(v) } else { v };
+            let kilo = matches!(self.0, Quantity::Force | Quantity::Pressure);
+            let si = if kilo { super::from_kn(v) } else { v };
             if si.is_finite() { Ok(si) } else { Err(E::custom("the number is too large")) }
         }
     }
@@ -318,6 +325,9 @@ pub(crate) mod file {
             f.write_str(match self.0 {
                 Quantity::Length => "a length, a number in m or a text such as \"250 mm\",",
                 Quantity::Force => "a force, a number in kN or a text such as \"73.3 kN\",",
+                Quantity::Pressure => {
+                    "a pressure, a number in kN/m2 or a text such as \"2.5 kPa\","
+                }
                 Quantity::Number => "a number",
             })
         }
@@ -336,7 +346,7 @@ pub(crate) mod file {
     }
 
     macro_rules! quantity_module {
-        ($name:ident, $quantity:expr, $write:expr) => {
+        ($name:ident, $quantity:expr $(, $write:expr)?) => {
             /// For `#[serde(with = ...)]`: the field in SI, the file in its bare unit.
             pub(crate) mod $name {
                 use super::*;
@@ -346,17 +356,23 @@ pub(crate) mod file {
                 ) -> Result<f64, D::Error> {
                     d.deserialize_any(Reader($quantity))
                 }
-                /// Writes the quantity as a bare number.
-                pub(crate) fn serialize<S: Serializer>(v: &f64, s: S) -> Result<S::Ok, S::Error> {
-                    let write: fn(f64) -> f64 = $write;
-                    s.serialize_f64(write(*v))
-                }
+                $(
+                    /// Writes the quantity as a bare number.
+                    pub(crate) fn serialize<S: Serializer>(
+                        v: &f64,
+                        s: S,
+                    ) -> Result<S::Ok, S::Error> {
+                        let write: fn(f64) -> f64 = $write;
+                        s.serialize_f64(write(*v))
+                    }
+                )?
             }
         };
     }
 
     quantity_module!(length, Quantity::Length, |v| v);
     quantity_module!(force, Quantity::Force, crate::units::to_kn);
+    quantity_module!(pressure, Quantity::Pressure);
     quantity_module!(number, Quantity::Number, |v| v);
 }
 

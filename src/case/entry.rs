@@ -24,6 +24,8 @@ impl Input {
         match self.row().quantity {
             Quantity::Length => lengths.symbol(),
             Quantity::Force => "kN",
+            // As kN/m2, in fewer columns.
+            Quantity::Pressure => "kPa",
             Quantity::Number => "",
         }
     }
@@ -59,7 +61,7 @@ impl Input {
     pub(crate) fn entry_text(self, value: f64, lengths: LengthUnit) -> String {
         match self.row().quantity {
             Quantity::Length => units::length_entry(value, lengths),
-            Quantity::Force => {
+            Quantity::Force | Quantity::Pressure => {
                 let text = units::shortest(to_kn(value));
                 text.strip_suffix(".0").unwrap_or(&text).to_string()
             }

@@ -29,8 +29,12 @@ pub enum Input {
     OffsetY,
     /// Design force, without its factor.
     DesignForce,
+    /// Load per area of face, without its factor; instead of the design force.
+    Pressure,
     /// Allowable deflection.
     AllowableDeflection,
+    /// What an anchor can take.
+    AnchorResistance,
     /// Partial factor on the load.
     GammaLoad,
     /// Partial factor on the resistance.
@@ -87,10 +91,10 @@ pub(crate) struct InputRow {
 }
 
 use Missing::{Means, Needed, Nothing};
-use Quantity::{Force, Length, Number};
+use Quantity::{Force, Length, Number, Pressure};
 
 /// In the order of [`Input`].
-const TABLE: [InputRow; 11] = [
+const TABLE: [InputRow; 13] = [
     InputRow {
         input: Input::Plate,
         word: "d",
@@ -194,6 +198,23 @@ const TABLE: [InputRow; 11] = [
         published: None,
     },
     InputRow {
+        input: Input::Pressure,
+        word: "q",
+        symbol: "q",
+        label: "pressure",
+        phrase: "load per area of face, instead of the design force",
+        quantity: Pressure,
+        name: "pressure",
+        flag: "--pressure",
+        help: "Load per area of face, times the cell's area a design force; not beside --force",
+        column: "pressure_kPa",
+        example: "2.5",
+        range: Range::UpTo(1.0e6),
+        missing: Nothing,
+        steps: [0.1e3, 1.0e3],
+        published: None,
+    },
+    InputRow {
         input: Input::AllowableDeflection,
         word: "dm",
         symbol: "dm",
@@ -208,6 +229,23 @@ const TABLE: [InputRow; 11] = [
         range: Range::UpTo(10.0),
         missing: Nothing,
         steps: [0.01, 0.10],
+        published: None,
+    },
+    InputRow {
+        input: Input::AnchorResistance,
+        word: "Ra",
+        symbol: "Ra",
+        label: "anchor",
+        phrase: "what an anchor can take",
+        quantity: Force,
+        name: "anchor_resistance",
+        flag: "--anchor",
+        help: "What an anchor can take: asks whether it takes the factored load",
+        column: "anchor_resistance_kN",
+        example: "100.0",
+        range: Range::UpTo(1.0e7),
+        missing: Nothing,
+        steps: [1.0e3, 1.0e4],
         published: None,
     },
     InputRow {
@@ -291,7 +329,9 @@ impl Choice for Input {
         Input::OffsetX,
         Input::OffsetY,
         Input::DesignForce,
+        Input::Pressure,
         Input::AllowableDeflection,
+        Input::AnchorResistance,
         Input::GammaLoad,
         Input::GammaResistance,
         Input::LabForce,
@@ -305,14 +345,16 @@ impl Choice for Input {
 
 impl Input {
     /// The inputs of a layout and its design question, in the order of screens and flags.
-    pub const LAYOUT: [Input; 9] = [
+    pub const LAYOUT: [Input; 11] = [
         Input::Plate,
         Input::Spacing,
         Input::Punch,
         Input::OffsetX,
         Input::OffsetY,
         Input::DesignForce,
+        Input::Pressure,
         Input::AllowableDeflection,
+        Input::AnchorResistance,
         Input::GammaLoad,
         Input::GammaResistance,
     ];
@@ -322,8 +364,14 @@ impl Input {
         [Input::Plate, Input::Spacing, Input::Punch, Input::OffsetX, Input::OffsetY];
 
     /// What is asked, alone.
-    pub(crate) const QUESTION: [Input; 4] =
-        [Input::DesignForce, Input::AllowableDeflection, Input::GammaLoad, Input::GammaResistance];
+    pub(crate) const QUESTION: [Input; 6] = [
+        Input::DesignForce,
+        Input::Pressure,
+        Input::AllowableDeflection,
+        Input::AnchorResistance,
+        Input::GammaLoad,
+        Input::GammaResistance,
+    ];
 
     /// What a study varies: the geometry and the laboratory values.
     pub const VARIED: [Input; 7] = [
@@ -361,6 +409,11 @@ impl Input {
         self.row().quantity == Force
     }
 
+    /// Whether its column is in thousands of its SI unit: kN, kN/m2.
+    pub(crate) fn in_kilo(self) -> bool {
+        matches!(self.row().quantity, Force | Pressure)
+    }
+
     /// The input of this name in a layout of a project file.
     pub(crate) fn named(name: &str) -> Option<Input> {
         let mut of_layout = TABLE.iter().filter(|row| !row.input.is_laboratory());
@@ -375,6 +428,16 @@ impl Input {
     /// Whether it is an offset of the punch.
     pub(crate) fn is_offset(self) -> bool {
         matches!(self, Input::OffsetX | Input::OffsetY)
+    }
+
+    /// The input that it stands instead of, where only one of two can be given: the load is a force or
+    /// a pressure.
+    pub(crate) fn instead_of(self) -> Option<Input> {
+        match self {
+            Input::DesignForce => Some(Input::Pressure),
+            Input::Pressure => Some(Input::DesignForce),
+            _ => None,
+        }
     }
 
     /// Whether it may be left out or taken away.
@@ -392,6 +455,8 @@ impl Input {
             Input::OffsetX => Some(layout.ex),
             Input::OffsetY => Some(layout.ey),
             Input::DesignForce => question.force,
+            Input::Pressure => question.pressure,
+            Input::AnchorResistance => question.anchor_resistance,
             Input::AllowableDeflection => question.deflection,
             Input::GammaLoad => Some(question.gamma_load),
             Input::GammaResistance => Some(question.gamma_resistance),
@@ -414,6 +479,8 @@ impl Input {
             Input::OffsetX => layout.ex = sure,
             Input::OffsetY => layout.ey = sure,
             Input::DesignForce => question.force = value,
+            Input::Pressure => question.pressure = value,
+            Input::AnchorResistance => question.anchor_resistance = value,
             Input::AllowableDeflection => question.deflection = value,
             Input::GammaLoad => question.gamma_load = sure,
             Input::GammaResistance => question.gamma_resistance = sure,
@@ -442,6 +509,7 @@ impl Input {
             _ if !value.is_finite() => value.to_string(),
             Length => format!("{} m", shortest(value)),
             Force => format!("{} kN", shortest(to_kn(value))),
+            Pressure => format!("{} kN/m2", shortest(to_kn(value))),
             Number => shortest(value),
         }
     }

@@ -132,8 +132,13 @@ impl Case {
     /// Every input that makes no sense.
     pub fn derive(&self) -> Result<Derived, Vec<Problem>> {
         let forecast = self.forecast()?;
-        let answer = forecast.field.map(|field| answer(&field, &self.question));
+        let answer = forecast.field.map(|field| answer(&field, &self.asked()));
         Ok(Derived { forecast, answer })
+    }
+
+    /// What is asked of it, with the load as a force on the panel.
+    pub(crate) fn asked(&self) -> Question {
+        self.question.on(&self.layout)
     }
 
     /// The case's values.

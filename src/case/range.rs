@@ -90,6 +90,7 @@ fn measured(value: f64, quantity: Quantity) -> String {
     match quantity {
         Quantity::Length => format!("{value} m"),
         Quantity::Force => format!("{} kN", to_kn(value)),
+        Quantity::Pressure => format!("{} kN/m2", to_kn(value)),
         Quantity::Number => value.to_string(),
     }
 }

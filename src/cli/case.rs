@@ -155,7 +155,12 @@ impl Inputs {
         find: impl Fn(&str) -> Option<Arc<MeshType>>,
         known: &[String],
     ) -> Result<NamedCase, Fault> {
-        for (input, value) in self.geometry.values.given().chain(self.question.given()) {
+        let given = || self.geometry.values.given().chain(self.question.given());
+        // A flag also takes away what it stands instead of; two flags are left to be refused.
+        for other in given().filter_map(|(input, _)| input.instead_of()) {
+            entry.set(other, None);
+        }
+        for (input, value) in given() {
             entry.set(input, Some(value));
         }
         entry.branch = self.branch.unwrap_or(entry.branch);

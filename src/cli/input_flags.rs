@@ -69,6 +69,7 @@ fn flag(input: Input) -> Arg {
         .value_name(match row.quantity {
             Quantity::Length => "M",
             Quantity::Force => "KN",
+            Quantity::Pressure => "KPA",
             Quantity::Number => "X",
         })
         .allow_hyphen_values(true)

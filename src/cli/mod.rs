@@ -34,6 +34,7 @@ pub(crate) mod report;
 pub(crate) mod sensitivity;
 pub(crate) mod source;
 pub(crate) mod sweep;
+mod verdict;
 pub(crate) mod watch;
 pub(crate) mod wire;
 

@@ -12,6 +12,10 @@ use unicode_width::UnicodeWidthStr;
 pub(crate) const FAILURE: u8 = 1;
 /// Exit code of bad input: a flag, a value, a file.
 pub(crate) const BAD_INPUT: u8 = 2;
+/// Exit code where a verdict was asked for and a layout fails.
+pub(crate) const FAILS: u8 = 3;
+/// Exit code where a verdict was asked for, none fails and one could not be judged.
+pub(crate) const NOT_JUDGED: u8 = 4;
 /// Exit code of a run that the user ended with Ctrl+C: 128 and the signal's number.
 pub(crate) const INTERRUPTED: u8 = 130;
 
@@ -46,6 +50,8 @@ pub(crate) struct Output {
     pub(crate) notes: Vec<String>,
     /// Whether the result itself is bad news: exit code 1.
     pub(crate) failed: bool,
+    /// Exit code of the verdict, where it was asked for and is no pass.
+    pub(crate) verdict: Option<u8>,
     /// Whether the user ended it early, so that the result is a part: exit code 130.
     pub(crate) interrupted: bool,
 }
@@ -102,7 +108,7 @@ pub(crate) fn finish(outcome: CommandEnd) -> ExitCode {
             match to_stdout(&output.result) {
                 Ok(()) if output.interrupted => ExitCode::from(INTERRUPTED),
                 Ok(()) if output.failed => ExitCode::from(FAILURE),
-                Ok(()) => ExitCode::SUCCESS,
+                Ok(()) => output.verdict.map_or(ExitCode::SUCCESS, ExitCode::from),
                 // The reader has what it wanted: `| head` is no failure.
                 Err(e) if e.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
                 Err(e) => {

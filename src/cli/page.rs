@@ -8,9 +8,12 @@ use super::output::wrapped;
 use crate::case::Case;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question};
+use crate::show::verdict;
+use crate::study::verdict::Verdict;
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj,
 };
+use crate::words::Choice;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands with every answer: what the method is a forecast of.
@@ -95,12 +98,10 @@ impl Page {
                 Some(reached) => format!("at {}", self.length(reached)),
                 None => "beyond failure".to_string(),
             };
-            let allowed = at.allowed_text();
-            let enough = if at.utilisation > 1.0 { "NOT ENOUGH" } else { "enough" };
             self.line(
                 "  at force",
                 format!(
-                    "{} factored to {}: use {} % ({enough}), {deflection}{allowed}",
+                    "{} factored to {}: use {} %, {deflection}",
                     force_text(force),
                     force_text(at.load),
                     percent(at.utilisation)
@@ -119,6 +120,21 @@ impl Page {
                     significant(to_kj(at.energy), 3)
                 ),
             );
+        }
+    }
+
+    /// The verdict: in a word, each check that is asked, what to know, what would mend it.
+    pub(crate) fn verdict(&mut self, case: &Case, v: &Verdict) {
+        self.line("VERDICT", format!("{}; {} values", verdict::short(v), v.basis.word()));
+        let unit = self.unit;
+        for sentence in v.checks.iter().filter_map(|c| verdict::sentence(c, unit)) {
+            self.line("", sentence);
+        }
+        for remark in &v.remarks {
+            self.line("", remark.sentence());
+        }
+        if let Some(mended) = verdict::mended(case, v) {
+            self.line("  mend by", mended);
         }
     }
 

@@ -8,6 +8,7 @@ fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
     let how = match quantity {
         Quantity::Length => ", in metres or with a unit such as 250mm",
         Quantity::Force => ", in kN or with a unit such as 25000N",
+        Quantity::Pressure => ", in kN/m2 or with a unit such as 2.5kPa",
         Quantity::Number => ", without a unit",
     };
     parse(text, quantity, LengthUnit::Metre).map_err(|e| format!("{e}; allowed: {allowed}{how}"))

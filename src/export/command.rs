@@ -5,7 +5,7 @@ use crate::case::Input;
 use crate::case::input::Missing;
 use crate::layout::BranchRule;
 use crate::mesh::catalogue;
-use crate::units::{from_kn, shortest, to_kn};
+use crate::units::{Quantity, from_kn, shortest, to_kn};
 use crate::words::Choice;
 
 /// The command that forecasts a layout from its project file.
@@ -43,7 +43,11 @@ pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
 /// The flag with a value; nothing where it would say what holds anyway.
 fn flag(input: Input, value: f64) -> Option<String> {
     let row = input.row();
-    let text = if input.is_force() { force_word(value) } else { bare(value) };
+    let text = match row.quantity {
+        Quantity::Force => kilo_word(value, "N"),
+        Quantity::Pressure => kilo_word(value, "Pa"),
+        Quantity::Length | Quantity::Number => bare(value),
+    };
     // One word, because a negative number would look like a flag of its own.
     let between = if input.is_offset() { "=" } else { " " };
     (row.missing != Missing::Means(value)).then(|| format!("{}{between}{text}", row.flag))
@@ -55,9 +59,10 @@ fn bare(value: f64) -> String {
     if short.parse() == Ok(value) { short } else { value.to_string() }
 }
 
-fn force_word(newton: f64) -> String {
-    let short = shortest(to_kn(newton));
-    if short.parse().map(from_kn) == Ok(newton) { short } else { format!("{newton}N") }
+/// A number in thousands of its unit, or with the unit where that does not lead back to it.
+fn kilo_word(si: f64, unit: &str) -> String {
+    let short = shortest(to_kn(si));
+    if short.parse().map(from_kn) == Ok(si) { short } else { format!("{si}{unit}") }
 }
 
 /// A word for a shell: in quotes where it needs them.
@@ -79,8 +84,8 @@ mod tests {
         for value in [0.25, 0.1 + 0.2, 1.0 / 3.0, 1e-6] {
             assert_eq!(bare(value).parse(), Ok(value));
         }
-        assert_eq!(force_word(15_300.0), "15.3");
-        assert_eq!(force_word(15_300.000_000_000_002), "15300.000000000002N");
+        assert_eq!(kilo_word(15_300.0, "N"), "15.3");
+        assert_eq!(kilo_word(15_300.000_000_000_002, "Pa"), "15300.000000000002Pa");
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! unless the user says otherwise, and stand beside every number they act on.
 
 use super::Field;
+use crate::layout::Layout;
 use crate::units::percent;
 
 /// What an engineer asks of a layout.
@@ -12,6 +13,10 @@ use crate::units::percent;
 pub struct Question {
     /// Design force of the load, N, above 0, without its factor.
     pub force: Option<f64>,
+    /// Load per area of face, N/m2, above 0, without its factor; instead of the force, never beside it.
+    pub pressure: Option<f64>,
+    /// What an anchor can take, N, above 0.
+    pub anchor_resistance: Option<f64>,
     /// Allowable deflection, m, above 0.
     pub deflection: Option<f64>,
     /// Partial factor on resistance, dimensionless, at least 1 in most codes; default 1.
@@ -22,7 +27,14 @@ pub struct Question {
 
 impl Default for Question {
     fn default() -> Self {
-        Question { force: None, deflection: None, gamma_resistance: 1.0, gamma_load: 1.0 }
+        Question {
+            force: None,
+            pressure: None,
+            anchor_resistance: None,
+            deflection: None,
+            gamma_resistance: 1.0,
+            gamma_load: 1.0,
+        }
     }
 }
 
@@ -30,6 +42,13 @@ impl Question {
     /// Whether anything is asked beyond the forecast itself.
     pub(crate) fn asks(&self) -> bool {
         *self != Question::default()
+    }
+
+    /// The same question with the load as a force on this panel: a pressure acts on the area of the
+    /// cell, and so follows the spacing.
+    pub(crate) fn on(&self, layout: &Layout) -> Question {
+        let of_area = self.pressure.map(|p| p * layout.spacing * layout.spacing);
+        Question { force: self.force.or(of_area), pressure: None, ..*self }
     }
 }
 

@@ -40,6 +40,8 @@ pub(crate) fn of_question(forecast: Fingerprint, question: &Question) -> Fingerp
     Fingerprinter::new("question")
         .text(&forecast.to_string())
         .given("force", question.force)
+        .given("pressure", question.pressure)
+        .given("anchor_resistance", question.anchor_resistance)
         .given("deflection", question.deflection)
         .with("gamma_resistance", question.gamma_resistance, 1.0)
         .with("gamma_load", question.gamma_load, 1.0)

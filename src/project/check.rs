@@ -124,6 +124,16 @@ impl NamedLayout {
         }
         let asked = Input::QUESTION.into_iter();
         problems.extend(asked.filter_map(|i| self.get(i).and_then(|value| i.problem(value))));
+        if self.question.force.is_some()
+            && let Some(pressure) = self.question.pressure
+        {
+            let said = "a layout has a design force or a pressure, never both";
+            problems.push(
+                Problem::new(Input::Pressure.row().name, said)
+                    .value(Input::Pressure.text(pressure))
+                    .allowed("one of design_force and pressure"),
+            );
+        }
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
 }

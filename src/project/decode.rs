@@ -30,7 +30,9 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "mesh",
     "branch",
     "design_force",
+    "pressure",
     "allowable_deflection",
+    "anchor_resistance",
     "gamma_resistance",
     "gamma_load",
     "overlay",
@@ -69,7 +71,9 @@ struct LayoutFile {
     mesh: Soft<String>,
     branch: Soft<BranchRule>,
     design_force: Soft<Force>,
+    pressure: Soft<Pressure>,
     allowable_deflection: Soft<Length>,
+    anchor_resistance: Soft<Force>,
     gamma_resistance: Soft<Factor>,
     gamma_load: Soft<Factor>,
     overlay: Soft<bool>,
@@ -92,6 +96,11 @@ struct Length(#[serde(with = "units::file::length")] f64);
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(transparent)]
 struct Force(#[serde(with = "units::file::force")] f64);
+
+/// Newtons on a square metre.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(transparent)]
+struct Pressure(#[serde(with = "units::file::pressure")] f64);
 
 /// No unit.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -201,7 +210,9 @@ impl LayoutFile {
             (Input::OffsetX, self.ex.get()?.map(|v| v.0)),
             (Input::OffsetY, self.ey.get()?.map(|v| v.0)),
             (Input::DesignForce, self.design_force.get()?.map(|v| v.0)),
+            (Input::Pressure, self.pressure.get()?.map(|v| v.0)),
             (Input::AllowableDeflection, self.allowable_deflection.get()?.map(|v| v.0)),
+            (Input::AnchorResistance, self.anchor_resistance.get()?.map(|v| v.0)),
             (Input::GammaLoad, self.gamma_load.get()?.map(|v| v.0)),
             (Input::GammaResistance, self.gamma_resistance.get()?.map(|v| v.0)),
         ] {

@@ -51,18 +51,20 @@ fn without_extension(text: String) -> String {
 /// A number as the file holds it, forces in kN: the shortest text that is read back as exactly this
 /// value.
 pub(crate) fn number(si: f64, quantity: Quantity) -> String {
+    let kilo = matches!(quantity, Quantity::Force | Quantity::Pressure);
     let back = |text: &str| -> Option<f64> {
         let v: f64 = text.parse().ok()?;
-        Some(if quantity == Quantity::Force { from_kn(v) } else { v })
+        Some(if kilo { from_kn(v) } else { v })
     };
-    let written = if quantity == Quantity::Force { to_kn(si) } else { si };
+    let written = if kilo { to_kn(si) } else { si };
     for text in [shortest(written), format!("{written:?}")] {
         if back(&text) == Some(si) {
             return text;
         }
     }
-    // A force whose kilonewtons do not lead back to it: newtons do.
-    format!("\"{si:?} N\"")
+    // A force or pressure whose kilonewtons do not lead back to it: newtons do.
+    let unit = if quantity == Quantity::Pressure { "Pa" } else { "N" };
+    format!("\"{si:?} {unit}\"")
 }
 
 /// A number in a unit that the user chose, if it is read back as exactly this value.
@@ -70,8 +72,8 @@ pub(crate) fn number_with_unit(si: f64, quantity: Quantity, unit: &str) -> Optio
     let per_si = match unit {
         "mm" | "MM" => 1000.0,
         "cm" => 100.0,
-        "m" | "N" => 1.0,
-        "kN" => 1.0e-3,
+        "m" | "N" | "Pa" => 1.0,
+        "kN" | "kPa" | "kN/m2" => 1.0e-3,
         "MN" => 1.0e-6,
         _ => return None,
     };
@@ -94,8 +96,10 @@ const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, 
     //   ex, ey  offset of the block across and along the twists, -L/2 to L/2, default 0 m
     //   mesh    identifier, default the first of `meshes`
     //   branch  published (default) or conservative
-    //   design_force          kN, above 0
+    //   design_force          kN, above 0; or
+    //   pressure              kN/m2 of face, above 0, never beside design_force
     //   allowable_deflection  m, above 0
+    //   anchor_resistance     kN, above 0
     //   gamma_resistance, gamma_load  partial factors, 0.5 to 5, default 1
     //   overlay true draws the curve over the current one, up to four
     //   note    free text

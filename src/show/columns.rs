@@ -101,7 +101,7 @@ pub(crate) const OVER_LAB: [NamedColumn<Forecast>; 2] = [
 
 /// An input's value, SI, as its column has it.
 pub(crate) fn input(input: Input, value: f64) -> Value {
-    if input.is_force() { kn(value) } else { value.into() }
+    if input.in_kilo() { kn(value) } else { value.into() }
 }
 
 /// How the values of a case move with an input.

@@ -27,3 +27,4 @@ pub(crate) mod strip;
 pub(crate) mod table;
 pub(crate) mod tornado;
 pub(crate) mod value;
+pub(crate) mod verdict;

@@ -4,6 +4,7 @@
 //!
 //! - [`sensitivity`]: how the answer moves with each input; [`sweep`]: one input, or two, over a range.
 //! - [`compare`]: the layouts of a project side by side, and which of them governs.
+//! - [`verdict`]: whether a layout is enough, by force, deflection and anchor; [`mend`]: what would help.
 //! - [`solve`]: the plate, spacing or punch that just meets what is asked.
 //!
 //! Over checks, with the clocks and threads that the `dem` room knows nothing of:
@@ -21,8 +22,10 @@ pub mod clock;
 pub(crate) mod compare;
 pub(crate) mod ensemble;
 pub(crate) mod inputs;
+pub mod mend;
 pub mod remark;
 pub mod result;
 pub mod sensitivity;
 pub mod solve;
 pub mod sweep;
+pub mod verdict;

@@ -181,7 +181,7 @@ impl Solution {
 /// not set the requirement.
 pub fn solve(case: &Case, input: Input, requirement: Requirement) -> Option<Solution> {
     let range = input.row().published?;
-    if !Requirement::asked(&case.question).contains(&requirement) {
+    if !Requirement::asked(&case.asked()).contains(&requirement) {
         return None;
     }
     let search = Search { case, input, requirement };
@@ -235,11 +235,9 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn place(&self, value: f64) -> Place {
-        let outcome = self.case.with(self.input, value).outcome();
-        let margin = outcome
-            .as_ref()
-            .ok()
-            .and_then(|p| self.requirement.margin(&p.field, &self.case.question));
+        let case = self.case.with(self.input, value);
+        let (outcome, asked) = (case.outcome(), case.asked());
+        let margin = outcome.as_ref().ok().and_then(|p| self.requirement.margin(&p.field, &asked));
         Place { value, outcome, margin }
     }
 
@@ -390,7 +388,7 @@ mod tests {
         let case = asked(REFERENCE, Some(0.104_25 * 27_063.0), Some(0.317_52));
         let s = solved(&case, Input::Spacing, Requirement::Deflection);
         assert!((s.crossings[0].value - 3.0).abs() < 1e-9, "{:?}", s.crossings);
-        assert_eq!(Requirement::asked(&case.question).len(), 3);
+        assert_eq!(Requirement::asked(&case.asked()).len(), 3);
     }
 
     #[test]

@@ -68,12 +68,13 @@ fn line(
     }
     let text = value.map_or("-".to_string(), |v| field.entry_text(v, app.units()));
     let outside = value.is_some_and(|v| field.row().published.is_some_and(|range| !range.holds(v)));
-    let mark = if outside { "!" } else { " " };
     let shown = format!("{text:>8}");
     let end =
         put(buf, list, row, column, &shown, if selected { theme.selected } else { theme.text });
     put(buf, list, row, end + 1, unit, theme.text);
-    put(buf, list, row, end + 3, mark, theme.caution);
+    if outside {
+        put(buf, list, row, end + 3, "!", theme.caution);
+    }
     if list.width >= WITH_RANGES {
         put_right(buf, list, row, &short_range(app, field), theme.heading);
     }

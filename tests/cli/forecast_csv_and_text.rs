@@ -87,7 +87,7 @@ fn the_text_says_what_an_engineer_asks_for() {
         "each anchor   carries 27.1 kN",
         "gamma_load 1.5",
         "gamma_resistance 1.0",
-        "10.0 kN factored to 15.0 kN: use 55.4 % (enough)",
+        "10.0 kN factored to 15.0 kN: use 55.4 %",
         "lower bound: a block in every cell",
         "square grid",
         "twists",

@@ -11,6 +11,7 @@ mod readme;
 mod studies;
 mod study_checks;
 mod tables;
+mod verdict;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -215,7 +215,7 @@ fn a_comparison_names_what_governs_and_sorts() {
 
     let text = good(&["compare", shown(&path), "--units", "mm"]);
     fits(&text);
-    assert!(text.contains("> bench 2 ") && text.contains("> governing"), "{text}");
+    assert!(text.contains(">xbench 2 ") && text.contains("> governing"), "{text}");
     assert!(text.contains("on plate"), "{text}");
     let csv = good(&["compare", shown(&path), "--format", "csv"]);
     assert!(csv.contains("\n\"portal, east\",dt-8x10-2.7,0.4,4,1.2,2,0.2,37.0981"), "{csv}");

@@ -16,6 +16,8 @@ fn questions() -> impl Strategy<Value = Question> {
     let one = |range| proptest::option::of(range);
     (one(1.0e3..1.0e5_f64), one(0.05..1.5_f64), factor(), factor()).prop_map(
         |(force, deflection, gamma_resistance, gamma_load)| Question {
+            pressure: None,
+            anchor_resistance: None,
             force,
             deflection,
             gamma_resistance,

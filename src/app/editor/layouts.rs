@@ -39,7 +39,12 @@ impl Editor {
     pub(in crate::app) fn set_field(&mut self, value: Option<f64>) {
         let field = self.field;
         let label = format!("{} of {}", field.word(), self.layout().name);
-        self.edit_layout(label, |layout| layout.set(field, value));
+        self.edit_layout(label, |layout| {
+            layout.set(field, value);
+            if let (Some(other), Some(_)) = (field.instead_of(), value) {
+                layout.set(other, None);
+            }
+        });
     }
 
     /// The text of an input's value; empty where it is not set.

@@ -8,6 +8,7 @@ use crate::forecast::design::Limit;
 use crate::show::columns::{CheckRow, OVER_LAB, PointRow, RATIOS, point};
 use crate::show::objects::{self, check, design, inputs, plan};
 use crate::show::value::{Object, Value, kn};
+use crate::show::verdict;
 
 /// One object with a list of the layouts.
 pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fault> {
@@ -57,7 +58,11 @@ fn one(compared: &Compared, index: usize) -> Object {
         .with("field", given.values.map(objects::values))
         .with("ratios", ratios)
         .columns(&[utilisation, service], &given)
-        .with("design", given.answer.map(|answer| design(&answer, question)))
+        .with("design", given.answer.map(|answer| design(&answer, &row.case.asked())))
+        .maybe(
+            "verdict",
+            question.asks().then(|| verdict::object(&row.case, &compared.verdicts[index])),
+        )
         .and(check.unwrap_or_default())
         .with("governing", c.governing.is_some_and(|g| g.row == index))
         .with("mark", mark(row))

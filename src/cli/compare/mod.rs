@@ -13,10 +13,12 @@ use super::case::Inputs;
 use super::choice::one_of;
 use super::dem::{DemFlags, Job};
 use super::output::{CommandEnd, Output, TableFormat};
+use super::verdict::VerdictFlags;
 use crate::remark::Weight;
 use crate::study::checks::CheckAnswer;
 use crate::study::compare::{Column, CompareRow, Comparison, compare};
 use crate::study::result::Wanted;
+use crate::study::verdict::{Basis, Simulated, Verdict, verdict};
 use crate::words::Choice;
 use clap::Args;
 use std::path::PathBuf;
@@ -38,6 +40,8 @@ pub(crate) struct CompareArgs {
     #[command(flatten)]
     inputs: Inputs,
     #[command(flatten)]
+    verdict: VerdictFlags,
+    #[command(flatten)]
     dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
@@ -50,6 +54,8 @@ struct Compared {
     comparison: Comparison,
     /// What is asked of the checks, and one answer for each row, where they are asked for.
     checked: Option<(Wanted, Vec<CheckAnswer>)>,
+    /// The verdict on each row, by the forecast and by its check where there is one.
+    verdicts: Vec<Verdict>,
 }
 
 impl Compared {
@@ -82,11 +88,24 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
         interrupted = done.interrupted;
         (wanted, done.answers)
     });
-    let compared = Compared { comparison, checked };
+    let basis = args.verdict.basis();
+    let verdicts = judged(&comparison, checked.as_ref().map(|(_, answers)| answers), basis);
+    let compared = Compared { comparison, checked, verdicts };
     let result = match args.format {
         TableFormat::Text => text::report(&compared, &order, loaded.unit),
         TableFormat::Json => json::report(&compared, &order)?,
         TableFormat::Csv => csv::report(&compared, &order),
     };
-    Ok(Output { result, interrupted, ..Output::default() })
+    let verdict = args.verdict.code(compared.verdicts.iter());
+    Ok(Output { result, verdict, interrupted, ..Output::default() })
+}
+
+/// The verdict on each row.
+fn judged(c: &Comparison, answers: Option<&Vec<CheckAnswer>>, basis: Basis) -> Vec<Verdict> {
+    let simulated = |row: usize| match answers.and_then(|all| all.get(row)) {
+        Some(Ok(result)) => Simulated::Current(result),
+        _ => Simulated::Missing,
+    };
+    let rows = c.rows.iter().enumerate();
+    rows.map(|(at, r)| verdict(&r.case, r.forecast(), simulated(at), basis)).collect()
 }

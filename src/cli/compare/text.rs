@@ -6,8 +6,10 @@ use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut};
 use crate::remark::Weight;
 use crate::show::comparison::{self, width};
+use crate::show::verdict::short;
 use crate::study::compare::{Column, CompareRow, Comparison};
-use crate::units::{LengthUnit, force_text};
+use crate::study::verdict::Finding;
+use crate::units::LengthUnit;
 
 /// Columns of the table behind the name.
 const COLUMNS: [Column; 10] = [
@@ -45,11 +47,22 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> 
     page.lines.push(head("", |column, unit| comparison::head(column, unit).1));
     for index in order {
         let governs = c.governing.is_some_and(|g| g.row == *index);
-        page.lines.push(line(&c.rows[*index], governs, unit));
+        let mark = compared.verdicts[*index].finding().mark();
+        page.lines.push(line(&c.rows[*index], governs, mark, unit));
     }
     page.lines.push(String::new());
     page.line("> governing", comparison::governing(c));
     both::table(&mut page, compared, order);
+    for index in order {
+        let found = &compared.verdicts[*index];
+        if found.finding() != Finding::NotAsked {
+            let name = &c.rows[*index].name;
+            page.line(
+                &format!("{} verdict", found.finding().mark()),
+                format!("{name}: {}", short(found)),
+            );
+        }
+    }
     for index in order {
         remarks(&mut page, &c.rows[*index]);
     }
@@ -69,7 +82,7 @@ fn meshes(page: &mut Page, c: &Comparison) {
     }
 }
 
-fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
+fn line(row: &CompareRow, governs: bool, found: char, unit: LengthUnit) -> String {
     let cells: String = (COLUMNS.iter())
         .map(|column| {
             let text = match (column, row.values()) {
@@ -82,22 +95,11 @@ fn line(row: &CompareRow, governs: bool, unit: LengthUnit) -> String {
         })
         .collect();
     let sign = if governs { ">" } else { " " };
-    format!("{sign} {}{cells} {}", cut(&row.name, NAME), mark(row)).trim_end().to_string()
+    format!("{sign}{found}{}{cells} {}", cut(&row.name, NAME), mark(row)).trim_end().to_string()
 }
 
 fn remarks(page: &mut Page, row: &CompareRow) {
     let name = &row.name;
-    let at = row.answer().and_then(|a| a.at_force);
-    if let Some((at, trouble)) = at.and_then(|at| Some((at, at.trouble()?))) {
-        let load = force_text(at.load);
-        let text = match at.deflection.filter(|_| at.over_allowed()) {
-            Some(reached) => {
-                format!("{name}: {} at {load}{}", page.length(reached), at.allowed_text())
-            }
-            None => format!("{name}: {} short at {load}", force_text(-at.margin)),
-        };
-        page.line(trouble, text);
-    }
     match &row.derived {
         Ok(Derived { forecast: f, .. }) => {
             let all = f.warnings.iter().filter(|w| w.weight() >= Weight::Caution);

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
         .into_iter()
         .map(|c| {
             let case = c.case;
-            let asked = Requirement::asked(&case.question);
+            let asked = Requirement::asked(&case.asked());
             let pairs = inputs.iter().flat_map(|i| asked.iter().map(move |r| (*i, *r)));
             let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r)).collect();
             Solved { name: c.name, outcome: case.outcome(), solutions, case }

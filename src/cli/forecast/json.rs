@@ -7,6 +7,7 @@ use crate::forecast::{CURVE_POINTS, Field, Forecast, Values};
 use crate::show::columns::{OVER_LAB, RATIOS, STIFFNESS};
 use crate::show::objects::{curve, design, head, inputs, values, warnings};
 use crate::show::value::{Object, Value};
+use crate::show::verdict;
 use crate::words::Choice;
 
 /// One object, or a list of them with one line each.
@@ -27,7 +28,8 @@ fn one(a: &Answered) -> Object {
         .with("other_branch", other)
         .with("eccentricity", eccentricity(f))
         .with("ratios", ratios(f))
-        .with("design", a.design.map(|answer| design(&answer, &a.case.question)))
+        .with("design", a.design.map(|answer| design(&answer, &a.case.asked())))
+        .maybe("verdict", a.case.question.asks().then(|| verdict::object(&a.case, &a.verdict)))
         .with("curve", f.field.map(|field| curve(&field.curve(CURVE_POINTS))))
         .with("warnings", warnings(&f.warnings))
         .with("basis", BASIS)

@@ -8,11 +8,13 @@ mod text;
 
 use super::UiFlags;
 use super::case::Source;
-use super::output::{CommandEnd, Fault, TableFormat, result};
+use super::output::{CommandEnd, Fault, Output, TableFormat, result};
 use super::page::BASIS;
+use super::verdict::VerdictFlags;
 use crate::case::{Case, Derived, NamedCase};
 use crate::forecast::Forecast;
 use crate::forecast::design::Answer;
+use crate::study::verdict::{Basis, Simulated, Verdict, verdict};
 use clap::Args;
 
 /// Forecast a layout from flags, or the layouts of a project, without a screen.
@@ -20,6 +22,8 @@ use clap::Args;
 pub(crate) struct ForecastArgs {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    verdict: VerdictFlags,
     /// How the result is written: JSON in SI with kN; CSV holds the curves.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
@@ -33,21 +37,28 @@ struct Answered {
     forecast: Forecast,
     /// The answer to the design question, where there is a field value and a question.
     design: Option<Answer>,
+    /// The verdict, by the forecast.
+    verdict: Verdict,
 }
 
 /// Forecasts and writes the result in the form asked for.
 pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
-    let answered = loaded.cases.into_iter().map(answered).collect::<Result<Vec<_>, _>>()?;
-    match args.format {
-        TableFormat::Text => result(text::report(&answered, loaded.unit)),
-        TableFormat::Json => result(json::report(&answered, loaded.several)?),
-        TableFormat::Csv => Ok(csv::report(&answered, loaded.several)),
-    }
+    let basis = args.verdict.basis();
+    let answered = loaded.cases.into_iter().map(|case| answered(case, basis));
+    let answered = answered.collect::<Result<Vec<_>, _>>()?;
+    let output = match args.format {
+        TableFormat::Text => result(text::report(&answered, loaded.unit))?,
+        TableFormat::Json => result(json::report(&answered, loaded.several)?)?,
+        TableFormat::Csv => csv::report(&answered, loaded.several),
+    };
+    let verdict = args.verdict.code(answered.iter().map(|a| &a.verdict));
+    Ok(Output { verdict, ..output })
 }
 
-fn answered(NamedCase { name, case }: NamedCase) -> Result<Answered, Fault> {
+fn answered(NamedCase { name, case }: NamedCase, basis: Basis) -> Result<Answered, Fault> {
     let Derived { forecast, answer } = case.derive()?;
     let design = answer.filter(|_| case.question.asks());
-    Ok(Answered { name, case, forecast, design })
+    let verdict = verdict(&case, Some(&forecast), Simulated::Missing, basis);
+    Ok(Answered { name, case, forecast, design, verdict })
 }

@@ -39,10 +39,13 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 ),
             );
             if let Some(answer) = &a.design {
-                page.design(answer, &a.case.question);
+                page.design(answer, &a.case.asked());
             }
         }
         None => page.line("field", NO_FIELD_VALUE),
+    }
+    if a.case.question.asks() {
+        page.verdict(&a.case, &a.verdict);
     }
     page.line("basis", BASIS);
     warnings(&mut page, &a.forecast.warnings);

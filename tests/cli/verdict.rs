@@ -1,0 +1,81 @@
+//! Whether a layout is enough, as commands say it, and the exit codes of `--verdict`.
+
+use super::{file, good, json, refused, run, shown};
+
+/// Double twist 8x10, d 0.25, L 3, D 0.6 m, 20 kN, 0.4 m allowed: strong enough and far too soft.
+const JOB: [&str; 10] =
+    ["forecast", "-d", "0.25", "-D", "0.6", "--force", "20", "--deflection", "0.4", "-L"];
+
+fn job<'a>(spacing: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&JOB[..], &[spacing], more].concat()
+}
+
+#[test]
+fn a_layout_that_is_strong_enough_and_too_soft_fails_by_its_deflection() {
+    let v = &json(&job("3", &[]))["verdict"];
+    assert_eq!((&v["verdict"], &v["governing"]), (&"FAILS".into(), &"deflection".into()));
+    // 20/23.431 on the mean, and over 0.88485 of it on the characteristic value.
+    let strength = &v["checks"][0];
+    assert_eq!(strength["state"], "pass");
+    for (name, value) in [("use", 0.853_56), ("use_characteristic", 0.964_64)] {
+        assert!((strength[name].as_f64().unwrap() - value).abs() < 1e-5, "{strength}");
+    }
+    assert_eq!(v["mend"]["input"], "L");
+    let text = good(&job("3", &[]));
+    assert!(
+        text.contains("FAILS: deflection 157 %") && text.contains("spacing L 1.871 m"),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_exit_code_tells_the_verdict_only_when_it_is_asked_for() {
+    let code = |spacing, more: &[&str]| run(&job(spacing, more)).code;
+    assert_eq!(
+        [code("3", &[]), code("3", &["--verdict"]), code("1.86", &["--verdict"])],
+        [0, 3, 0]
+    );
+    // The block is on a plate; what is not asked cannot fail; bad input goes first.
+    assert_eq!(code("3", &["--ex", "1.5", "--ey", "1.5", "--verdict"]), 4);
+    assert_eq!(run(&["forecast", "--verdict"]).code, 0);
+    assert_eq!(run(&["forecast", "-L", "0.1", "--verdict"]).code, 2);
+    // 21.5/23.43 and 21.5/20.73 kN.
+    let alone = ["forecast", "-d", "0.25", "-D", "0.6", "--force", "21.5", "--verdict", "--basis"];
+    let of = |basis| run(&[&alone[..], &[basis]].concat()).code;
+    assert_eq!([of("mean"), of("characteristic")], [0, 3]);
+}
+
+#[test]
+fn one_layout_that_fails_makes_a_comparison_fail() {
+    let (_keep, path) = file(
+        "two.ron",
+        r#"(version: 2, name: "p", layouts: [
+            (name: "a", d: 0.25, L: 1.8, D: 0.6, pressure: 2.5),
+            (name: "b", d: 0.25, L: 3.0, D: 0.6, pressure: "2.7 kN/m2"),
+        ])"#,
+    );
+    // 2.7 kN/m2 on 9 m2 are 24.3 kN, over 23.4 kN.
+    let compared = run(&["compare", shown(&path), "--verdict"]);
+    assert_eq!(compared.code, 3, "{}", compared.out);
+    assert!(compared.out.contains(">xb ") && compared.out.contains(" +a "), "{}", compared.out);
+    assert_eq!(run(&["forecast", shown(&path), "--layout=a", "--verdict"]).code, 0);
+}
+
+#[test]
+fn a_force_and_a_pressure_together_are_refused() {
+    let said = refused(&["forecast", "--force", "20", "--pressure", "2.5"]);
+    assert!(said.contains("--pressure"), "{said}");
+    // One flag takes the place of what the file has.
+    let text =
+        r#"(version: 2, name: "p", layouts: [(name: "a", d: 0.25, L: 2, D: 0.6, pressure: 2.5)])"#;
+    let (_keep, path) = file("one.ron", text);
+    let forecast =
+        |more: &[&str]| json(&[&["forecast", shown(&path), "--layout=a"], more].concat());
+    let demand = |v: serde_json::Value| v["verdict"]["checks"][0]["demand_kN"].as_f64().unwrap();
+    let found = [forecast(&[]), forecast(&["--force", "4"]), forecast(&["--pressure", "2"])];
+    assert_eq!(found.map(demand), [10.0, 4.0, 8.0]);
+    // Both in a file are refused with their place.
+    let (_keep, path) = file("both.ron", &text.replace("pressure", "design_force: 3, pressure"));
+    let said = refused(&["forecast", shown(&path)]);
+    assert!(said.contains("layouts[0].pressure") && said.contains("never both"), "{said}");
+}
