@@ -35,7 +35,7 @@ fn check(c: &Checked) -> Object {
         .with(characteristic, number(c.aspect, c.capacity[1]))
         .with("use", c.usage[0])
         .with("use_characteristic", c.usage[1])
-        .with("by", c.judge.map(|j| j.word()))
+        .with("by", c.judge.map(Judge::word))
 }
 
 /// The verdict as an object, with what would mend it.

@@ -7,7 +7,7 @@ use crate::fingerprint::Fingerprint;
 use crate::layout::{Layout, REFERENCE};
 use crate::study::ensemble::Spread;
 use crate::study::mend::{Mend, mend};
-use crate::study::result::{Revisions, Wanted};
+use crate::study::result::{Later, Revisions, Wanted};
 
 /// Double twist 8x10, d 0.25, D 0.6 m, 20 kN, 0.4 m allowed.
 fn job(spacing: f64) -> Case {
@@ -48,7 +48,7 @@ fn check(force: f64, band: [f64; 2], runs: usize) -> CheckResult {
         breaks: Vec::new(),
         quality: Quality::default(),
         flags: Vec::new(),
-        later: Default::default(),
+        later: Later::default(),
     }
 }
 
