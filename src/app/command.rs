@@ -3,7 +3,9 @@
 use super::App;
 use super::look::{ColorMode, Glyphs};
 use super::message::Command;
+use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
+use crate::words::Choice;
 use std::path::{Path, PathBuf};
 
 impl App {
@@ -40,7 +42,14 @@ impl App {
             "undo" => self.undo(),
             "redo" => self.redo(),
             "help" | "h" => self.screen.toggle_help(),
-            "name" | "site" => self.editor.name_project(word, rest)?,
+            "name" | "site" | "client" | "author" | "checker" | "revision" | "date" => {
+                self.editor.name_project(word, rest)?;
+            }
+            "basis" => {
+                let basis = Basis::from_word(rest).ok_or("basis mean or basis characteristic")?;
+                let said = self.editor.set_basis(basis);
+                self.inform(said);
+            }
             "mesh" => self.editor.set_mesh(rest)?,
             "units" => match rest {
                 "m" => self.editor.set_units(LengthUnit::Metre),

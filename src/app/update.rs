@@ -191,6 +191,10 @@ impl App {
                 self.inform(said);
             }
             Action::Units => self.editor.set_units(self.units().other()),
+            Action::Basis => {
+                let said = self.editor.set_basis(self.project().basis.other());
+                self.inform(said);
+            }
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
             Action::Save => return self.save(None, false),

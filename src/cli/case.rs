@@ -9,6 +9,7 @@ use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
+use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
 use crate::words::{Choice, nearest};
 use clap::Args;
@@ -35,6 +36,8 @@ pub(crate) struct Loaded {
     pub(crate) cases: Vec<NamedCase>,
     /// Unit of lengths in texts: of the flag, the project, or metres.
     pub(crate) unit: LengthUnit,
+    /// Which capacity verdicts go by: the project's, or the mean.
+    pub(crate) basis: Basis,
     /// Whether the result is a list, also of one or of none: all layouts of a project.
     pub(crate) several: bool,
 }
@@ -50,6 +53,7 @@ impl Source {
             None => Ok(Loaded {
                 cases: vec![self.inputs.alone()?],
                 unit: ui.units.unwrap_or_default(),
+                basis: Basis::default(),
                 several: false,
             }),
         }
@@ -111,6 +115,7 @@ impl Inputs {
         Ok(Loaded {
             cases: self.of_project(&opened.project, only)?,
             unit: ui.units.unwrap_or(opened.project.display.length_unit),
+            basis: opened.project.basis,
             several: only.is_none(),
         })
     }

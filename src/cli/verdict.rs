@@ -12,15 +12,15 @@ pub(crate) struct VerdictFlags {
     /// Exit with 3 where a layout fails, with 4 where none fails but one could not be judged.
     #[arg(long)]
     verdict: bool,
-    /// Capacity that decides: the mean, or the characteristic value [default: mean].
+    /// Capacity that decides: the mean, or the characteristic value [default: the project's, or mean].
     #[arg(long, value_name = "BASIS", value_parser = one_of(Basis::ALL))]
     basis: Option<Basis>,
 }
 
 impl VerdictFlags {
-    /// Which capacity decides.
-    pub(crate) fn basis(&self) -> Basis {
-        self.basis.unwrap_or_default()
+    /// Which capacity decides, where the project has one of its own.
+    pub(crate) fn basis(&self, project: Basis) -> Basis {
+        self.basis.unwrap_or(project)
     }
 
     /// The exit code of these verdicts, where it is asked for and they are no passes.

@@ -20,6 +20,8 @@ impl Project {
         let mut problems = Vec::new();
         problems.extend(check_name("name", &self.name, true));
         problems.extend(check_name("site", &self.site, false));
+        let title = self.title.rows().into_iter();
+        problems.extend(title.filter_map(|(field, text)| check_name(field, text, false)));
         problems.extend(check_notes("notes", &self.notes));
         self.check_meshes(&mut problems);
         self.check_layouts(&mut problems);

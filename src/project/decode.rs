@@ -3,13 +3,14 @@
 use super::error::Found;
 use super::kept::{self, Kept};
 use super::read::soft::{Refused, Soft};
-use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project};
+use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, TitleBlock};
 use super::text::{Node, NodeKind, Shape};
 use super::{read, words};
 use crate::case::Input;
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
+use crate::study::verdict::Basis;
 use crate::units::{self, LengthUnit};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
@@ -17,8 +18,10 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Fields of a project, in the order in which they are written.
-pub(crate) const PROJECT_FIELDS: &[&str] =
-    &["version", "name", "site", "notes", "meshes", "layouts", "display"];
+pub(crate) const PROJECT_FIELDS: &[&str] = &[
+    "version", "name", "site", "client", "author", "checker", "revision", "date", "notes", "basis",
+    "meshes", "layouts", "display",
+];
 /// Fields of a layout, in the order in which they are written.
 pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "name",
@@ -51,7 +54,13 @@ pub(super) struct ProjectFile {
     version: Soft<Factor>,
     name: Soft<String>,
     site: Soft<String>,
+    client: Soft<String>,
+    author: Soft<String>,
+    checker: Soft<String>,
+    revision: Soft<String>,
+    date: Soft<String>,
     notes: Soft<String>,
+    basis: Soft<Basis>,
     meshes: Soft<Vec<Soft<MeshUse>>>,
     layouts: Soft<Vec<Soft<LayoutFile>>>,
     display: Soft<DisplayFile>,
@@ -168,7 +177,15 @@ impl ProjectFile {
             version: CURRENT_VERSION,
             name: self.name.needed()?,
             site: self.site.get()?.unwrap_or_default(),
+            title: TitleBlock {
+                client: self.client.get()?.unwrap_or_default(),
+                author: self.author.get()?.unwrap_or_default(),
+                checker: self.checker.get()?.unwrap_or_default(),
+                revision: self.revision.get()?.unwrap_or_default(),
+                date: self.date.get()?.unwrap_or_default(),
+            },
             notes: self.notes.get()?.unwrap_or_default(),
+            basis: self.basis.get()?.unwrap_or_default(),
             meshes: meshes.into_iter().map(Soft::needed).collect::<Result<_, _>>()?,
             layouts: Vec::new(),
             display: Display { length_unit: display.unwrap_or_default() },

@@ -5,6 +5,7 @@
 //!   gave forces in newtons: `plate`, `spacing`, `punch` for what is now `d`, `L`, `D`, and `force`
 //!   in N for what is now `design_force` in kN. All else is as in version 1.
 //! - Version 1 is that of the first release. All that it has means the same in version 2.
+//!   Without `basis`, which only version 2 has, verdicts go by the mean.
 //! - Version 2 has room for more: its names are reserved ([`super::words::RESERVED`]), and a kept check
 //!   may have notes of later versions. A program that knows version 1 only would refuse those one by
 //!   one as slips of the keyboard; so it refuses the file as a whole, and leaves it as it is:

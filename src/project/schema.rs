@@ -5,6 +5,7 @@ use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{self, MeshType, catalogue};
 use crate::problem::Problem;
 use crate::study::result::CheckResult;
+use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -21,14 +22,57 @@ pub struct Project {
     pub name: String,
     /// Where it is; may be empty.
     pub site: String,
+    /// What the head of a report says besides.
+    pub title: TitleBlock,
     /// Free text; may be empty and may have several lines.
     pub notes: String,
+    /// Which value of a capacity verdicts go by. Left out in a file: the mean.
+    pub basis: Basis,
     /// The mesh types it uses. Empty stands for the reference mesh alone.
     pub meshes: Vec<MeshUse>,
     /// Its layouts, in the order of the list on the screen; names are unique.
     pub layouts: Vec<NamedLayout>,
     /// How it is shown.
     pub display: Display,
+}
+
+/// What the head of a report says besides the project's name and site; each may be empty. The date is a
+/// text like the others: nothing here reads a clock.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TitleBlock {
+    /// For whom.
+    pub client: String,
+    /// By whom.
+    pub author: String,
+    /// Checked by whom.
+    pub checker: String,
+    /// Which revision.
+    pub revision: String,
+    /// When.
+    pub date: String,
+}
+
+impl TitleBlock {
+    /// The names of its fields, in the file and in commands, in the order of a report.
+    pub(crate) const FIELDS: [&str; 5] = ["client", "author", "checker", "revision", "date"];
+
+    /// The field of a name.
+    pub(crate) fn field_mut(&mut self, name: &str) -> Option<&mut String> {
+        Some(match name {
+            "client" => &mut self.client,
+            "author" => &mut self.author,
+            "checker" => &mut self.checker,
+            "revision" => &mut self.revision,
+            "date" => &mut self.date,
+            _ => return None,
+        })
+    }
+
+    /// Its fields with their names.
+    pub(crate) fn rows(&self) -> [(&'static str, &str); 5] {
+        let texts = [&self.client, &self.author, &self.checker, &self.revision, &self.date];
+        std::array::from_fn(|at| (Self::FIELDS[at], texts[at].as_str()))
+    }
 }
 
 /// A mesh type that a project uses.
@@ -159,7 +203,9 @@ impl Project {
             version: CURRENT_VERSION,
             name: name.into(),
             site: String::new(),
+            title: TitleBlock::default(),
             notes: String::new(),
+            basis: Basis::Characteristic,
             meshes: vec![MeshUse::Catalogue(mesh::REFERENCE_ID.to_string())],
             layouts: vec![NamedLayout::new("reference", layout::REFERENCE, mesh::REFERENCE_ID)],
             display: Display::default(),

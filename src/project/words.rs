@@ -71,7 +71,7 @@ pub(crate) fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
 
 /// Names that a later version of the program has a field for, each with the struct it stands in.
 pub(crate) const RESERVED: &[(&str, &[&str])] =
-    &[("Project", &["basis", "factors"]), ("Layout", &["blocks", "Lx", "Ly", "stagger", "twists"])];
+    &[("Project", &["factors"]), ("Layout", &["blocks", "Lx", "Ly", "stagger", "twists"])];
 
 /// Fields that cannot be left out, by the name of their struct.
 pub(crate) fn needed(holder: &str) -> &'static [&'static str] {

@@ -87,6 +87,11 @@ const HEAD: &str = "\
 // \"250 mm\", \"25000 N\". Comments stay when meshcast saves the file.
 ";
 
+const BASIS_HELP: &str =
+    "    // What verdicts go by: mean, or characteristic values, which 5 % fall below.
+    // For the head of a report these may stand here too: client, author, checker, revision, date.
+";
+
 const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, the net hung with its twists down the slope.
     //   name    unique
     //   d       side of the anchor plate, published range 0.16 to 0.48 m
@@ -123,7 +128,12 @@ pub fn project(p: &Project) -> Result<String, Unwritable> {
     let _ = writeln!(out, "    version: {},", p.version);
     let _ = writeln!(out, "    name: {},", quoted(&p.name, false));
     let _ = writeln!(out, "    site: {},", quoted(&p.site, false));
+    for (field, text) in p.title.rows().into_iter().filter(|(_, text)| !text.is_empty()) {
+        let _ = writeln!(out, "    {field}: {},", quoted(text, false));
+    }
     let _ = writeln!(out, "    notes: {},", quoted(&p.notes, true));
+    out.push_str(BASIS_HELP);
+    let _ = writeln!(out, "    basis: {},", p.basis.word());
     out.push_str(
         "    // Mesh types: catalogue identifiers (meshcast mesh list) or meshes written out.\n",
     );

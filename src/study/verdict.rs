@@ -40,13 +40,24 @@ pub(crate) fn characteristic_part(punch: f64) -> f64 {
 }
 
 /// Which value of a capacity decides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Basis {
     /// The mean.
     #[default]
     Mean,
     /// The characteristic value, which 5 % fall below.
     Characteristic,
+}
+
+impl Basis {
+    /// The other one.
+    pub(crate) fn other(self) -> Basis {
+        match self {
+            Basis::Mean => Basis::Characteristic,
+            Basis::Characteristic => Basis::Mean,
+        }
+    }
 }
 
 impl Choice for Basis {

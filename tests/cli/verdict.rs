@@ -79,3 +79,30 @@ fn a_force_and_a_pressure_together_are_refused() {
     let said = refused(&["forecast", shown(&path)]);
     assert!(said.contains("layouts[0].pressure") && said.contains("never both"), "{said}");
 }
+
+#[test]
+fn the_basis_is_the_projects_and_a_flag_stands_above_it() {
+    // 21.5 kN on 23.43 and 20.73 kN.
+    let text = |basis: &str| {
+        format!(
+            r#"(version: 2, name: "p", {basis} layouts: [(name: "a", d: 0.25, L: 3, D: 0.6, design_force: 21.5)])"#
+        )
+    };
+    for (basis, code) in [("", 0), ("basis: mean,", 0), ("basis: characteristic,", 3)] {
+        let (_keep, path) = file("p.ron", &text(basis));
+        let all = ["forecast", shown(&path), "--verdict"];
+        assert_eq!(run(&all).code, code, "{basis}");
+        assert_eq!(run(&[&all[..], &["--basis", "mean"]].concat()).code, 0);
+        let design = json(&["forecast", shown(&path)]);
+        // The basis is no input of the forecast.
+        assert_eq!(design[0]["fingerprint"], json(&JOB_AT_3)["fingerprint"]);
+    }
+    let (_keep, path) = file("p.ron", &text("basis: median,"));
+    assert!(refused(&["forecast", shown(&path)]).contains("mean or characteristic"));
+    let (_keep, path) = file("new.ron", "");
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(run(&["new", shown(&path)]).code, 0);
+    assert!(std::fs::read_to_string(&path).unwrap().contains("basis: characteristic"));
+}
+
+const JOB_AT_3: [&str; 5] = ["forecast", "-d", "0.25", "-D", "0.6"];

@@ -3,6 +3,7 @@
 use super::samples::{files, sample};
 use meshcast::layout::BranchRule;
 use meshcast::project::{self, MeshUse, NamedLayout, Project};
+use meshcast::study::verdict::Basis;
 use meshcast::units::LengthUnit;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -110,6 +111,8 @@ enum Deed {
     Remove(Index),
     Swap(Index, Index),
     Site(String),
+    Checker(String),
+    Basis(bool),
     Unit(bool),
 }
 
@@ -127,6 +130,8 @@ fn deed() -> impl Strategy<Value = Deed> {
         any::<Index>().prop_map(Deed::Remove),
         (any::<Index>(), any::<Index>()).prop_map(|(i, j)| Deed::Swap(i, j)),
         "[ -~äß石]{0,20}".prop_map(Deed::Site),
+        "[ -~äß石]{0,20}".prop_map(Deed::Checker),
+        any::<bool>().prop_map(Deed::Basis),
         any::<bool>().prop_map(Deed::Unit),
     ]
 }
@@ -139,6 +144,10 @@ fn one(project: &mut Project, index: Index) -> Option<&mut NamedLayout> {
 fn act(project: &mut Project, deed: &Deed) {
     match deed.clone() {
         Deed::Site(text) => project.site = text,
+        Deed::Checker(text) => project.title.checker = text,
+        Deed::Basis(mean) => {
+            project.basis = if mean { Basis::Mean } else { Basis::Characteristic };
+        }
         Deed::Unit(mm) => {
             project.display.length_unit =
                 if mm { LengthUnit::Millimetre } else { LengthUnit::Metre };

@@ -7,7 +7,9 @@ use crate::layout::{self, BranchRule, Layout};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
+use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
+use crate::words::Choice;
 use std::sync::Arc;
 
 /// A choice of mesh: the type, and whether the project already names it.
@@ -263,7 +265,13 @@ impl Editor {
         })
     }
 
-    /// Names the project or its site.
+    /// Says which value of a capacity verdicts go by; what to say.
+    pub(in crate::app) fn set_basis(&mut self, basis: Basis) -> String {
+        self.edit("basis of verdicts", |project| project.basis = basis);
+        format!("verdicts go by {} values", basis.word())
+    }
+
+    /// Names the project, its site or what else stands in the head of its report.
     ///
     /// # Errors
     /// Why the text cannot be used.
@@ -276,7 +284,12 @@ impl Editor {
         }
         self.edit(format!("{word} of the project"), |project| match word {
             "name" => project.name = text.to_string(),
-            _ => project.site = text.to_string(),
+            "site" => project.site = text.to_string(),
+            _ => {
+                if let Some(field) = project.title.field_mut(word) {
+                    *field = text.to_string();
+                }
+            }
         });
         Ok(())
     }

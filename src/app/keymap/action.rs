@@ -26,6 +26,7 @@ pub enum Action {
     PickMesh,
     Branch,
     Units,
+    Basis,
     Undo,
     Redo,
     Save,

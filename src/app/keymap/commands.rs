@@ -20,6 +20,14 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "N", help: "select layout number N" },
     CommandHelp { form: "name TEXT", help: "name of the project" },
     CommandHelp { form: "site TEXT", help: "site of the project" },
+    CommandHelp {
+        form: "client TEXT",
+        help: "head of the report; so with author, checker, revision, date",
+    },
+    CommandHelp {
+        form: "basis mean|characteristic",
+        help: "which value of a capacity verdicts go by, as B",
+    },
     CommandHelp { form: "mesh ID", help: "mesh of this layout" },
     CommandHelp { form: "units m|mm", help: "unit of lengths" },
     CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },

@@ -104,6 +104,7 @@ const MAIN: &[Binding] = &[
     k(A::Note,           &[c('n')],                       "note",        "edit this layout's note"),
     k(A::Branch,         &[c('b')],                       "branch",      "branch of A.1-A.2: as published, or the lower force (conservative)"),
     k(A::Units,          &[c('t')],                       "units",       "lengths in m or mm"),
+    k(A::Basis,          &[c('B')],                       "",            "verdicts by mean or by characteristic values, for the project"),
     k(A::Redo,           &[c('U'), ctrl('r'), ctrl('y')], "redo",        "redo"),
     k(A::CheckAll,       &[c('C')],                       "",            "check all layouts"),
     k(A::Fidelity,       &[c('f')],                       "fidelity",    "how exactly checks compute: quick, standard, fine"),

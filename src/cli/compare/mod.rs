@@ -88,7 +88,7 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
         interrupted = done.interrupted;
         (wanted, done.answers)
     });
-    let basis = args.verdict.basis();
+    let basis = args.verdict.basis(loaded.basis);
     let verdicts = judged(&comparison, checked.as_ref().map(|(_, answers)| answers), basis);
     let compared = Compared { comparison, checked, verdicts };
     let result = match args.format {

@@ -44,7 +44,7 @@ struct Answered {
 /// Forecasts and writes the result in the form asked for.
 pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
-    let basis = args.verdict.basis();
+    let basis = args.verdict.basis(loaded.basis);
     let answered = loaded.cases.into_iter().map(|case| answered(case, basis));
     let answered = answered.collect::<Result<Vec<_>, _>>()?;
     let output = match args.format {

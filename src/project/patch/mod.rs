@@ -139,6 +139,18 @@ pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> O
             fields.change(name, FieldChange::Set(quoted(is, lines)));
         }
     }
+    for ((name, was), (_, is)) in base.title.rows().into_iter().zip(new.title.rows()) {
+        if was != is {
+            let change = match is {
+                "" => FieldChange::Unset,
+                _ => FieldChange::Set(quoted(is, false)),
+            };
+            fields.change(name, change);
+        }
+    }
+    if base.basis != new.basis {
+        fields.change("basis", FieldChange::Set(new.basis.word().to_string()));
+    }
     if base.display != new.display {
         let symbol = new.display.length_unit.symbol();
         let whole = format!("(length_unit: {symbol})");
