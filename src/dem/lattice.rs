@@ -72,19 +72,30 @@ impl Lattice {
     /// centre of an anchor plate. `phase` in [0, 1)^2 places the bottom node of row 0, column 0 at
     /// `phase` periods from that corner.
     pub fn periodic(net: &NetGeometry, size: f64, phase: [f64; 2]) -> Lattice {
+        Lattice::cells(net, [size, size], [1, 1], phase)
+    }
+
+    /// The net of so many such cells in x and y, of these sides. Each cell is stretched to whole periods
+    /// by itself, so that all are alike.
+    pub(crate) fn cells(
+        net: &NetGeometry,
+        cell: [f64; 2],
+        cells: [usize; 2],
+        phase: [f64; 2],
+    ) -> Lattice {
         let pitch = net.twist + net.projection;
-        let columns = (size / net.opening).round().max(2.0);
-        let periods = (size / (2.0 * pitch)).round().max(1.0);
-        let stretch = [size / (columns * net.opening), size / (periods * 2.0 * pitch)];
+        let columns = (cell[0] / net.opening).round().max(2.0);
+        let periods = (cell[1] / (2.0 * pitch)).round().max(1.0);
+        let stretch = [cell[0] / (columns * net.opening), cell[1] / (periods * 2.0 * pitch)];
         Lattice {
-            columns: columns as usize,
-            rows: 2 * periods as usize,
+            columns: columns as usize * cells[0],
+            rows: 2 * periods as usize * cells[1],
             periodic: true,
             opening: net.opening * stretch[0],
             twist: net.twist * stretch[1],
             projection: net.projection * stretch[1],
             origin: [phase[0] * net.opening * stretch[0], phase[1] * 2.0 * pitch * stretch[1]],
-            size: [size, size],
+            size: [cell[0] * cells[0] as f64, cell[1] * cells[1] as f64],
             stretch,
         }
     }

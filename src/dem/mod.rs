@@ -42,6 +42,7 @@ pub(crate) mod bifurcation;
 pub mod dome;
 pub mod fast;
 pub mod fidelity;
+pub mod field;
 pub mod hash;
 pub mod inertia;
 pub mod lattice;
@@ -54,6 +55,7 @@ pub mod stability;
 pub mod stepper;
 
 pub use fidelity::{Controls, Fidelity};
+pub use field::Arrangement;
 pub use outcome::{RunOutcome, Stop};
 pub(crate) use run::RunProgress;
 pub use run::{Flow, check};

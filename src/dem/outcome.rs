@@ -35,8 +35,26 @@ pub struct Break {
     pub role: Role,
     /// Punch displacement when it was found broken, m.
     pub deflection: f64,
-    /// Place of its middle in the unloaded net, from the panel's centre, m.
+    /// Place of its middle in the unloaded net, m: from the centre of its cell as the block of that cell has
+    /// it (see [`super::field`]), which for one cell is the panel's centre.
     pub place: [f64; 2],
+}
+
+/// What an anchor carries.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AnchorForce {
+    /// Its place from the field's corner, m.
+    pub place: [f64; 2],
+    /// Pull of the net on it along x and y and out of the plane, N.
+    pub force: [f64; 3],
+}
+
+impl AnchorForce {
+    /// Its size, N.
+    pub fn size(&self) -> f64 {
+        let [x, y, z] = self.force;
+        (x * x + y * y + z * z).sqrt()
+    }
 }
 
 /// Figures that tell how far a run can be trusted; parts of 1.
@@ -118,9 +136,17 @@ pub struct RunOutcome {
     pub repeated: bool,
     /// The deformed net at the first break, where the caller asked for it.
     pub net: Option<Net>,
+    /// What each anchor carries at the first break, row by row; nothing without a break and in the
+    /// laboratory.
+    pub anchors: Vec<AnchorForce>,
 }
 
 impl RunOutcome {
+    /// The anchor with the largest force at the first break.
+    pub fn worst_anchor(&self) -> Option<AnchorForce> {
+        self.anchors.iter().copied().max_by(|a, b| a.size().total_cmp(&b.size()))
+    }
+
     /// Whether the first break came out of nowhere, as those of an unstable step do.
     pub fn sudden(&self) -> bool {
         let q = &self.quality;

@@ -76,6 +76,13 @@ pub struct Plain {
     pub load: Vec<[f64; 3]>,
     force: Vec<[f64; 3]>,
     dome: Option<Dome>,
+    /// Unloaded places of the nodes from the axis of each further block, m.
+    others: Vec<Vec<[f64; 2]>>,
+    /// The anchor of each node, and how many there are; none but in an anchored test.
+    anchor: Vec<usize>,
+    anchors: usize,
+    /// Sums of the last block of steps, by anchor, N, and the steps.
+    pulled: (Vec<[f64; 3]>, usize),
     damping: Damping,
     /// Factor on the inertia out of the plane.
     out_of_plane: f64,
@@ -97,6 +104,10 @@ impl Plain {
             force: vec![[0.0; 3]; nodes],
             top,
             dome: None,
+            others: Vec::new(),
+            anchor: Vec::new(),
+            anchors: 0,
+            pulled: (Vec::new(), 1),
             damping,
             out_of_plane: 1.0,
             deflection: 0.0,
@@ -113,18 +124,25 @@ impl Plain {
             curves: vec![scene.law.single.clone(), scene.law.twist.clone()],
             ..PlainNet::default()
         };
+        let field = &scene.field;
         let mut corner = Vec::new();
+        let mut others = vec![Vec::new(); field.blocks.len() - 1];
+        let mut anchor = Vec::new();
         for row in 0..lattice.rows {
             for column in 0..lattice.columns {
                 let pair = row * lattice.columns + column;
-                for (end, place) in
-                    [lattice.bottom(row, column), lattice.top(row, column)].into_iter().enumerate()
-                {
-                    let seen = scene.from_axis(place);
-                    corner.push(place);
-                    net.places.push([seen[0], seen[1], 0.0]);
-                    net.fixed.push(scene.fixed[pair][end]);
+                corner.extend([lattice.bottom(row, column), lattice.top(row, column)]);
+                net.fixed.extend(scene.fixed[pair]);
+                let seen = scene.pair_from(&field.blocks[0], row, column);
+                net.places.extend(seen.map(|[x, y]| [x, y, 0.0]));
+                for (block, others) in field.blocks[1..].iter().zip(&mut others) {
+                    others.extend(scene.pair_from(block, row, column));
                 }
+                let (places, cell) = scene.in_its_cell(row, column);
+                anchor.extend(places.map(|place| {
+                    let ([column, row], _) = field.nearest_anchor(place, cell);
+                    row * field.cells[0] + column
+                }));
             }
         }
         for number in scene.bond_numbers() {
@@ -152,6 +170,10 @@ impl Plain {
         plain.out_of_plane = if factors.is_some() { inertia::OUT_OF_PLANE } else { 1.0 };
         plain.dome = Some(scene.dome);
         plain.corner = corner;
+        plain.others = others;
+        if lattice.periodic {
+            (plain.anchor, plain.anchors) = (anchor, field.anchors());
+        }
         plain
     }
 
@@ -181,24 +203,36 @@ impl Plain {
         let Some(dome) = self.dome else { return (0.0, 0.0) };
         let reach = dome.reach();
         let (mut punch, mut energy) = (0.0, 0.0);
-        for (node, place) in self.net.places.iter().enumerate() {
-            let p = [0, 1, 2].map(|k| place[k] + self.moved[node][k]);
-            if p[0] * p[0] + p[1] * p[1] >= reach * reach {
-                continue;
-            }
-            let (depth, normal) = dome.depth(p, self.deflection);
-            if depth > 0.0 {
-                for (force, along) in self.force[node].iter_mut().zip(normal) {
-                    *force += dome.stiffness * depth * along;
+        for block in 0..=self.others.len() {
+            for node in 0..self.net.places.len() {
+                let [x, y, z] = self.net.places[node];
+                let place = block.checked_sub(1).map_or([x, y, z], |k| {
+                    let [x, y] = self.others[k][node];
+                    [x, y, z]
+                });
+                let p = [0, 1, 2].map(|k| place[k] + self.moved[node][k]);
+                if p[0] * p[0] + p[1] * p[1] >= reach * reach {
+                    continue;
                 }
-                punch += dome.stiffness * depth * normal[2];
-                energy += 0.5 * dome.stiffness * depth * depth;
+                let (depth, normal) = dome.depth(p, self.deflection);
+                if depth > 0.0 {
+                    for (force, along) in self.force[node].iter_mut().zip(normal) {
+                        *force += dome.stiffness * depth * along;
+                    }
+                    punch += dome.stiffness * depth * normal[2];
+                    energy += 0.5 * dome.stiffness * depth * depth;
+                }
             }
         }
         (punch, energy)
     }
 
-    /// One step with the punch moving `travel` metres: forces on punch and support, N.
+    /// How many blocks push.
+    fn blocks(&self) -> f64 {
+        1.0 + self.others.len() as f64
+    }
+
+    /// One step with the punch moving `travel` metres: forces on punch and support, N, of all blocks.
     pub fn step(&mut self, travel: f64) -> (f64, f64) {
         let (punch, energy) = self.forces();
         self.contact_energy = energy;
@@ -206,6 +240,12 @@ impl Plain {
         for (node, held) in self.net.fixed.iter().enumerate() {
             if *held {
                 support += self.force[node][2];
+                if let Some(pulled) = self.anchor.get(node).and_then(|a| self.pulled.0.get_mut(*a))
+                {
+                    for (sum, force) in pulled.iter_mut().zip(self.force[node]) {
+                        *sum += force;
+                    }
+                }
             }
         }
         for (pair, inertia) in self.net.inertia.iter().enumerate() {
@@ -278,12 +318,18 @@ impl Stepper for Plain {
             deflection: self.deflection + travel * (steps - 1) as f64 / 2.0,
             ..StepBlock::default()
         };
+        self.pulled = (vec![[0.0; 3]; self.anchors], steps);
+        let share = self.blocks() * steps as f64;
         for _ in 0..steps {
             let (punch, support) = self.step(travel);
-            mean.punch += punch / steps as f64;
-            mean.support += support / steps as f64;
+            mean.punch += punch / share;
+            mean.support += support / share;
         }
         mean
+    }
+
+    fn anchors(&self) -> Vec<[f64; 3]> {
+        self.pulled.0.iter().map(|sum| sum.map(|force| force / self.pulled.1 as f64)).collect()
     }
 
     fn deflection(&self) -> f64 {
@@ -313,7 +359,8 @@ impl Stepper for Plain {
                 inertia::PairModes::new(m)
                     .kinetic(seen(self.velocity[2 * pair]), seen(self.velocity[2 * pair + 1]))
             })
-            .sum()
+            .sum::<f64>()
+            / self.blocks()
     }
 
     fn energies(&self) -> Energies {
@@ -326,7 +373,9 @@ impl Stepper for Plain {
             let top = top.max(e);
             bonds += bond.taut * curve.work(&bond.ramp, top, e);
         }
-        Energies { kinetic: self.kinetic(), bonds, contact: self.contact_energy }
+        let blocks = self.blocks();
+        let contact = self.contact_energy / blocks;
+        Energies { kinetic: self.kinetic(), bonds: bonds / blocks, contact }
     }
 
     fn utilisation(&self) -> f64 {

@@ -26,7 +26,7 @@ use super::account::{Account, IMBALANCE};
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
 use super::lattice::{Role, bond_of};
-use super::outcome::{Break, Cost, Net, Quality, RunOutcome, Stop};
+use super::outcome::{AnchorForce, Break, Cost, Net, Quality, RunOutcome, Stop};
 use super::scene::{Scene, SceneSpec, Test};
 use super::stepper::{StepBlock, Stepper};
 use crate::curve::{Curve, Point};
@@ -36,6 +36,8 @@ use crate::problem::Problem;
 const BLOCK: usize = 4;
 /// Utilisation, at the last look, above which every block is looked through for broken bonds.
 const WATCHFUL: f64 = 0.4;
+/// Utilisation, at the last look, above which the anchors' forces are kept: a break is not near before.
+const LOADED: f64 = 0.2;
 /// Punch travel of a point of the curve, m.
 const WINDOW: f64 = 0.002;
 /// Part of the force on the punch in the reported force; the rest is the force on the support.
@@ -161,6 +163,9 @@ struct Run<'a> {
     controls: &'a Controls,
     limit: f64,
     points: Vec<StepBlock>,
+    /// Forces of the anchors, N, as means over the same windows as `points`; nothing in the early ones.
+    pulled: Vec<Vec<[f64; 3]>>,
+    anchors: Vec<AnchorForce>,
     known: Vec<usize>,
     breaks: Vec<Break>,
     first_break: Option<Point>,
@@ -177,8 +182,10 @@ impl<'a> Run<'a> {
             scene,
             scheme,
             controls,
-            limit: controls.limit.unwrap_or(LIMIT * scene.lattice.size[0]),
+            limit: controls.limit.unwrap_or(LIMIT * scene.field.cell[0].min(scene.field.cell[1])),
             points: Vec::new(),
+            pulled: Vec::new(),
+            anchors: Vec::new(),
             known: Vec::new(),
             breaks: Vec::new(),
             first_break: None,
@@ -231,6 +238,7 @@ impl<'a> Run<'a> {
     fn window(&mut self, solver: &mut dyn Stepper, travel: f64, utilisation: f64) -> Option<Stop> {
         let blocks = ((WINDOW / travel / BLOCK as f64).round() as usize).max(1);
         let mut mean = StepBlock::default();
+        let mut pulled = Vec::new();
         let mut broke = false;
         // Far from a break it is enough to look once a window.
         let watchful = self.first_break.is_some() || utilisation > WATCHFUL;
@@ -243,6 +251,9 @@ impl<'a> Run<'a> {
             mean.deflection += block.deflection / blocks as f64;
             mean.punch += block.punch / blocks as f64;
             mean.support += block.support / blocks as f64;
+            if self.first_break.is_none() && utilisation > LOADED {
+                add(&mut pulled, solver.anchors(), blocks);
+            }
             if !(watchful || number == blocks) {
                 continue;
             }
@@ -255,7 +266,7 @@ impl<'a> Run<'a> {
                         number,
                         role: bond_of(number).1,
                         deflection: solver.deflection(),
-                        place: self.scene.seen_from_centre(self.scene.lattice.middle(number)),
+                        place: self.scene.field.as_its_block(self.scene.lattice.middle(number)),
                     });
                 }
                 if self.first_break.is_none() {
@@ -273,6 +284,7 @@ impl<'a> Run<'a> {
         // The window of the first break is left out: it is partly before and partly after it.
         if !(broke && self.first_just_now(solver)) {
             self.points.push(mean);
+            self.pulled.push(pulled);
         }
         self.account(solver, blocks * BLOCK, travel)
     }
@@ -317,10 +329,37 @@ impl<'a> Run<'a> {
         self.steps_to_break = self.steps;
         let at = solver.deflection();
         self.first_break = Some(Point { deflection: at, force: self.force_at(at) });
+        self.anchors = self.anchors_at(at);
         self.close_account(solver);
         if self.controls.keep_net {
             self.net = Some(self.drawn(solver));
         }
+    }
+
+    /// What the anchors carry at a break: each part by the line through the same points.
+    fn anchors_at(&self, at: f64) -> Vec<AnchorForce> {
+        let field = &self.scene.field;
+        let inside = |p: &StepBlock| at - p.deflection < FIT.0 && at - p.deflection > FIT.1;
+        let kept = |n: &usize| inside(&self.points[*n]) && !self.pulled[*n].is_empty();
+        let lately: Vec<usize> = (0..self.points.len()).filter(kept).collect();
+        let count = self.pulled.last().map_or(0, Vec::len);
+        (0..count)
+            .map(|anchor| {
+                let cell = [anchor % field.cells[0], anchor / field.cells[0]];
+                let force = [0, 1, 2].map(|k| {
+                    let points: Vec<(f64, f64)> = lately
+                        .iter()
+                        .map(|n| (self.points[*n].deflection, self.pulled[*n][anchor][k]))
+                        .collect();
+                    if points.len() < 3 {
+                        return self.pulled.last().map_or(0.0, |all| all[anchor][k]);
+                    }
+                    let (slope, mean, force) = line_of(&points);
+                    force + slope * (at - mean)
+                });
+                AnchorForce { place: [0, 1].map(|k| field.cell[k] * cell[k] as f64), force }
+            })
+            .collect()
     }
 
     /// Force at a break, by the line through the points before it.
@@ -445,8 +484,17 @@ impl<'a> Run<'a> {
             skipped: Vec::new(),
             stretch: self.scene.lattice.stretch,
             net: self.net,
+            anchors: self.anchors,
             repeated: false,
         }
+    }
+}
+
+/// Adds forces of the anchors to their means over so many blocks.
+fn add(mean: &mut Vec<[f64; 3]>, block: Vec<[f64; 3]>, blocks: usize) {
+    mean.resize(block.len(), [0.0; 3]);
+    for (mean, force) in mean.iter_mut().flatten().zip(block.iter().flatten()) {
+        *mean += force / blocks as f64;
     }
 }
 
@@ -457,13 +505,18 @@ fn weighted(p: &StepBlock) -> f64 {
 
 /// Least-squares line through points: slope, mean displacement, mean force.
 fn line(points: &[&StepBlock]) -> (f64, f64, f64) {
+    line_of(&points.iter().map(|p| (p.deflection, weighted(p))).collect::<Vec<_>>())
+}
+
+/// The same through any points.
+fn line_of(points: &[(f64, f64)]) -> (f64, f64, f64) {
     let n = points.len() as f64;
-    let x = points.iter().map(|p| p.deflection).sum::<f64>() / n;
-    let y = points.iter().map(|p| weighted(p)).sum::<f64>() / n;
+    let x = points.iter().map(|p| p.0).sum::<f64>() / n;
+    let y = points.iter().map(|p| p.1).sum::<f64>() / n;
     let (mut top, mut bottom) = (0.0, 0.0);
     for p in points {
-        top += (p.deflection - x) * (weighted(p) - y);
-        bottom += (p.deflection - x) * (p.deflection - x);
+        top += (p.0 - x) * (p.1 - y);
+        bottom += (p.0 - x) * (p.0 - x);
     }
     (if bottom > 0.0 { top / bottom } else { 0.0 }, x, y)
 }

@@ -1,6 +1,7 @@
 //! The scene: what the solvers run, made from a layout, a test, a wire law, an alignment and a seed.
 
 use super::dome::Dome;
+use super::field::{Arrangement, Block, Field};
 use super::hash;
 use super::lattice::{Lattice, Role, bond_number, bond_of};
 use super::law::Law;
@@ -54,6 +55,8 @@ pub struct SceneSpec {
     pub phase: [f64; 2],
     /// Seed of the random slack.
     pub seed: u64,
+    /// How the blocks stand in the cells; nothing to the laboratory test.
+    pub arrangement: Arrangement,
 }
 
 /// A scene ready to run.
@@ -65,10 +68,10 @@ pub struct Scene {
     pub lattice: Lattice,
     /// The law of its bonds.
     pub law: Law,
-    /// The punch.
+    /// The punch, which is every block's shape.
     pub dome: Dome,
-    /// The punch's axis, measured from the panel's corner, m.
-    pub axis: [f64; 2],
+    /// The cells and where the blocks stand.
+    pub field: Field,
     /// Whether the bottom and the top node of each pair are fixed.
     pub fixed: Vec<[bool; 2]>,
 }
@@ -83,27 +86,30 @@ impl Scene {
         check(spec)?;
         let (layout, net) = (&spec.layout, &spec.wire.net);
         let size = layout.spacing;
+        let mut field = match spec.test {
+            Test::Anchored => Field::anchored(layout, spec.arrangement)?,
+            Test::Laboratory => Field::one(layout),
+        };
         let lattice = match spec.test {
-            Test::Anchored => Lattice::periodic(net, size, spec.phase),
+            Test::Anchored => Lattice::cells(net, field.cell, field.cells, spec.phase),
             Test::Laboratory => Lattice::panel(net, size),
         };
-        if lattice.columns < 4 || lattice.rows < 4 {
+        if lattice.columns < 4 * field.cells[0] || lattice.rows < 4 * field.cells[1] {
             return Err(vec![
                 Problem::new("L", "the panel is too small for a net of this mesh")
                     .value(format!("{} m", shortest(size)))
                     .allowed("at least four openings and two periods along the twists"),
             ]);
         }
-        let mut axis = [size / 2.0 + layout.ex, size / 2.0 + layout.ey];
         if spec.test == Test::Laboratory {
             let period = [lattice.opening, 2.0 * lattice.pitch()];
             for k in 0..2 {
                 let shift = spec.phase[k] - PLAIN_PHASE[k];
-                axis[k] += (shift - shift.round()) * period[k];
+                field.blocks[0].axis[k] += (shift - shift.round()) * period[k];
             }
         }
         let fixed = match spec.test {
-            Test::Anchored => plates(&lattice, layout.plate),
+            Test::Anchored => plates(&lattice, &field, layout.plate),
             Test::Laboratory => edges(&lattice),
         };
         if !fixed.iter().any(|pair| pair[0] || pair[1]) {
@@ -114,7 +120,7 @@ impl Scene {
             ]);
         }
         let dome = Dome::new(layout.punch, net.node_radius);
-        Ok(Scene { spec: spec.clone(), lattice, law: Law::new(&spec.wire), dome, axis, fixed })
+        Ok(Scene { spec: spec.clone(), lattice, law: Law::new(&spec.wire), dome, field, fixed })
     }
 
     /// Slack delta_l of a bond, m: lambda_u l0 T.
@@ -122,7 +128,10 @@ impl Scene {
         let distortion = &self.law.distortion;
         let t = match distortion.slack {
             Slack::Fixed(t) => t,
-            Slack::Triangular => hash::triangular(self.spec.seed, number as u64),
+            Slack::Triangular => {
+                let (seed, number) = self.draw(number);
+                hash::triangular(seed, number)
+            }
         };
         distortion.lambda_u * self.length(bond_of(number).1) * t
     }
@@ -141,21 +150,60 @@ impl Scene {
         d.lambda_u == 0.0 || matches!(d.slack, Slack::Fixed(_))
     }
 
-    /// A place of the unloaded net seen from the punch's axis, m; in the anchored test the nearest
-    /// periodic image.
-    pub fn from_axis(&self, place: [f64; 2]) -> [f64; 2] {
-        let mut seen = [place[0] - self.axis[0], place[1] - self.axis[1]];
-        if self.lattice.periodic {
-            for (x, size) in seen.iter_mut().zip(self.lattice.size) {
-                *x -= size * (*x / size).round();
-            }
+    /// Seed and counter of a bond's draw: those of its place in its cell, so that the cells of the first
+    /// block have the same slack in every field, and the others one each of their own.
+    fn draw(&self, number: usize) -> (u64, u64) {
+        if self.field.cells == [1, 1] {
+            return (self.spec.seed, number as u64);
         }
-        seen
+        let (pair, role) = bond_of(number);
+        let (row, column) = (pair / self.lattice.columns, pair % self.lattice.columns);
+        let (cell, [column, row]) = self.within_cell(row, column);
+        let columns = self.lattice.columns / self.field.cells[0];
+        let number = bond_number(row * columns + column, role) as u64;
+        // How many cells to the right of and above the first block's; beyond half the field to the left
+        // and below, so that a larger field adds cells and changes none.
+        let [x, y] = [0, 1].map(|k| {
+            let (cells, apart) = (self.field.cells[k], cell[k]);
+            if 2 * apart > cells { (cells - apart) as u64 * 2 - 1 } else { apart as u64 * 2 }
+        });
+        if (x, y) == (0, 0) {
+            return (self.spec.seed, number);
+        }
+        (hash::hash(self.spec.seed, CELL_COUNTERS + 1024 * y + x), number)
     }
 
-    /// The same place measured from the panel's centre, m.
-    pub(crate) fn seen_from_centre(&self, place: [f64; 2]) -> [f64; 2] {
-        [place[0] - self.lattice.size[0] / 2.0, place[1] - self.lattice.size[1] / 2.0]
+    /// The cell of a pair, and the pair's column and row in it.
+    pub(super) fn within_cell(&self, row: usize, column: usize) -> ([usize; 2], [usize; 2]) {
+        let columns = self.lattice.columns / self.field.cells[0];
+        let rows = self.lattice.rows / self.field.cells[1];
+        ([column / columns, row / rows], [column % columns, row % rows])
+    }
+
+    /// Unloaded places of a pair's bottom and top node, from the corner of the pair's cell, m; and the cell.
+    pub(super) fn in_its_cell(&self, row: usize, column: usize) -> ([[f64; 2]; 2], [usize; 2]) {
+        let (cell, [column, row]) = self.within_cell(row, column);
+        ([self.lattice.bottom(row, column), self.lattice.top(row, column)], cell)
+    }
+
+    /// Unloaded places of a pair's bottom and top node seen from a block's axis, m; in the anchored test the
+    /// nearest image of the block.
+    pub(super) fn pair_from(&self, block: &Block, row: usize, column: usize) -> [[f64; 2]; 2] {
+        let (places, cell) = self.in_its_cell(row, column);
+        places.map(|place| self.from(block, place, cell))
+    }
+
+    fn from(&self, block: &Block, place: [f64; 2], cell: [usize; 2]) -> [f64; 2] {
+        if self.lattice.periodic {
+            return self.field.seen_from_block(block, place, cell);
+        }
+        [place[0] - block.axis[0], place[1] - block.axis[1]]
+    }
+
+    /// A place seen from the axis of the nearest block, m; in the anchored test periodic images included.
+    pub fn from_axis(&self, place: [f64; 2]) -> [f64; 2] {
+        let seen = self.field.blocks.iter().map(|block| self.from(block, place, [0, 0]));
+        seen.min_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1]))).unwrap_or(place)
     }
 
     /// Numbers of the bonds that exist, rising.
@@ -217,16 +265,24 @@ fn check(spec: &SceneSpec) -> Result<(), Vec<Problem>> {
     if problems.is_empty() { Ok(()) } else { Err(problems) }
 }
 
+/// Counters from which on the seeds of further cells are drawn: far beyond any bond's number.
+const CELL_COUNTERS: u64 = 1 << 40;
+
 /// A length below which two places are the same, m: far above rounding, far below a wire.
 const SAME: f64 = 1.0e-9;
 
 /// Nodes within the square plates at the cell's corners.
-fn plates(lattice: &Lattice, side: f64) -> Vec<[bool; 2]> {
-    each_pair(lattice, |p| {
-        p.iter()
-            .zip(lattice.size)
-            .all(|(x, size)| (x - size * (x / size).round()).abs() <= side / 2.0 + SAME)
-    })
+fn plates(lattice: &Lattice, field: &Field, side: f64) -> Vec<[bool; 2]> {
+    let (columns, rows) = (lattice.columns / field.cells[0], lattice.rows / field.cells[1]);
+    let on_plate = |place: [f64; 2]| {
+        let (_, seen) = field.nearest_anchor(place, [0, 0]);
+        seen.iter().all(|x| x.abs() <= side / 2.0 + SAME)
+    };
+    // As in the first cell, so that all plates catch the same pattern to the last node.
+    (0..lattice.rows)
+        .flat_map(|i| (0..lattice.columns).map(move |j| (i % rows, j % columns)))
+        .map(|(i, j)| [on_plate(lattice.bottom(i, j)), on_plate(lattice.top(i, j))])
+        .collect()
 }
 
 /// Nodes on the panel's four edges.
@@ -252,7 +308,14 @@ mod tests {
     fn spec(test: Test) -> SceneSpec {
         let layout =
             Layout { spacing: if test == Test::Anchored { 3.04 } else { 3.0 }, ..REFERENCE };
-        SceneSpec { layout, test, wire: laws::yade(), phase: PLAIN_PHASE, seed: 0 }
+        SceneSpec {
+            layout,
+            test,
+            wire: laws::yade(),
+            phase: PLAIN_PHASE,
+            seed: 0,
+            arrangement: Arrangement::default(),
+        }
     }
 
     #[test]
@@ -268,7 +331,8 @@ mod tests {
     #[test]
     fn the_plain_alignment_puts_the_laboratory_punch_over_the_middle_of_a_wire() {
         let scene = Scene::new(&spec(Test::Laboratory)).unwrap();
-        assert!((scene.axis[0] - 1.5).abs() < 1e-12 && (scene.axis[1] - 1.5).abs() < 1e-12);
+        let axis = scene.field.blocks[0].axis;
+        assert!((axis[0] - 1.5).abs() < 1e-12 && (axis[1] - 1.5).abs() < 1e-12);
         let nearest = scene
             .bond_numbers()
             .map(|n| scene.from_axis(scene.lattice.middle(n)))

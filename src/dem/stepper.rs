@@ -5,13 +5,13 @@
 pub struct StepBlock {
     /// Mean punch displacement at which the forces were taken, m.
     pub deflection: f64,
-    /// Mean force on the punch, N.
+    /// Mean force on the punch, N; of several blocks per block.
     pub punch: f64,
-    /// Mean force on the fixed nodes along z, N.
+    /// Mean force on the fixed nodes along z, N; of several blocks per block.
     pub support: f64,
 }
 
-/// Energies of the net, J.
+/// Energies of the net, J; of several blocks per block.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energies {
     /// Of the fictitious masses.
@@ -31,7 +31,10 @@ pub trait Stepper {
     /// Numbers of the bonds that have broken and were not in `known` yet are added to it, rising.
     /// Tells how many.
     fn broken(&self, known: &mut Vec<usize>) -> usize;
-    /// Kinetic energy, J; a not-finite value tells that the state is no longer finite.
+    /// Mean force of each anchor in the last block of steps, N, row by row: what its nodes pull it by along x
+    /// and y, and out of the plane. Nothing where there are no plates.
+    fn anchors(&self) -> Vec<[f64; 3]>;
+    /// Kinetic energy, J, of several blocks per block; a not-finite value tells that the state is no longer finite.
     fn kinetic(&self) -> f64;
     /// All energies, J.
     fn energies(&self) -> Energies;

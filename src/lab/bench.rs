@@ -5,7 +5,8 @@ use crate::dem::inertia::StepFactors;
 use crate::dem::plain::{Damping, Inertia, Plain};
 use crate::dem::run::drive;
 use crate::dem::{
-    Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test, check,
+    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test,
+    check,
 };
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
@@ -28,7 +29,14 @@ pub fn scene(name: &str) -> Option<SceneSpec> {
         "A'" | "A2" => (REFERENCE, Test::Anchored, laws::reference()),
         _ => return None,
     };
-    Some(SceneSpec { layout, test, wire, phase: PLAIN_PHASE, seed: 1 })
+    Some(SceneSpec {
+        layout,
+        test,
+        wire,
+        phase: PLAIN_PHASE,
+        seed: 1,
+        arrangement: Arrangement::default(),
+    })
 }
 
 /// Errors of a run against a reference, as parts of 1.

@@ -14,7 +14,7 @@
 //! function of the two scales, and Newton's method finds them: in logarithms, where both relations are
 //! nearly straight, with a Jacobian that starts from rules of thumb and learns from the trials (Broyden).
 
-use crate::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws::scaled;
 use crate::mesh::wire::WireData;
@@ -97,12 +97,26 @@ fn scene(target: &FitTarget, wire: WireData) -> SceneSpec {
     // There are no plates in the laboratory; the size only has to fit the panel.
     let plate = 0.1 * target.panel;
     let layout = Layout { plate, spacing: target.panel, punch: target.punch, ex: 0.0, ey: 0.0 };
-    SceneSpec { layout, test: Test::Laboratory, wire, phase: PLAIN_PHASE, seed: 0 }
+    SceneSpec {
+        layout,
+        test: Test::Laboratory,
+        wire,
+        phase: PLAIN_PHASE,
+        seed: 0,
+        arrangement: Arrangement::default(),
+    }
 }
 
 /// Scene of the anchored reference with these wires.
 pub(crate) fn anchored_reference(wire: WireData) -> SceneSpec {
-    SceneSpec { layout: REFERENCE, test: Test::Anchored, wire, phase: PLAIN_PHASE, seed: 0 }
+    SceneSpec {
+        layout: REFERENCE,
+        test: Test::Anchored,
+        wire,
+        phase: PLAIN_PHASE,
+        seed: 0,
+        arrangement: Arrangement::default(),
+    }
 }
 
 /// Fits the scales. Nothing where the caller cancels. `progress` gets the number of the trial too.

@@ -4,7 +4,7 @@
 //! fit was chosen by hand with the anchored reference and the master curve in view; the rest is
 //! predicted.
 
-use crate::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::forecast::{laboratory, master};
 use crate::layout::{Layout, REFERENCE};
@@ -194,6 +194,7 @@ fn scene(
         wire: wire.clone(),
         phase: PLAIN_PHASE,
         seed: 0,
+        arrangement: Arrangement::default(),
     };
     let controls = Controls { fidelity: options.fidelity, ..Controls::default() };
     let mut plan = Plan { runs: None, seed: options.seed, phase: None, threads: options.threads };
@@ -385,6 +386,7 @@ mod tests {
                 stretch: [1.0; 2],
                 repeated: false,
                 net: None,
+                anchors: Vec::new(),
             },
             wall: 0.0,
             processor: 0.0,

@@ -56,7 +56,7 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::PLAIN_PHASE;
+    use crate::dem::{Arrangement, PLAIN_PHASE};
     use crate::layout::{Layout, REFERENCE};
     use crate::mesh::laws;
 
@@ -68,6 +68,7 @@ mod tests {
             wire: laws::bench(),
             phase: PLAIN_PHASE,
             seed: 0,
+            arrangement: Arrangement::default(),
         };
         let (controls, plan) = (Controls::default(), Plan::default());
         let base = of_ensemble(&spec, &controls, &plan);

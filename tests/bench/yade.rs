@@ -5,7 +5,9 @@
 //!
 //! `cargo bench --bench yade`
 
-use meshcast::dem::{Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, SceneSpec, Test, check};
+use meshcast::dem::{
+    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, SceneSpec, Test, check,
+};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
 use meshcast::study::clock::thread_seconds;
@@ -76,6 +78,7 @@ fn main() {
             wire: laws::yade(),
             phase: PLAIN_PHASE,
             seed: 0,
+            arrangement: Arrangement::default(),
         };
         for fidelity in Fidelity::ALL {
             let controls =

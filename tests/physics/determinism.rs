@@ -6,7 +6,7 @@ use meshcast::dem::fast::{Fast, FastOptions, Kernel, Path};
 use meshcast::dem::inertia::StepFactors;
 use meshcast::dem::plain::{Damping, Inertia, Plain};
 use meshcast::dem::stepper::Stepper;
-use meshcast::dem::{Scene, SceneSpec, Test};
+use meshcast::dem::{Arrangement, Scene, SceneSpec, Test};
 use meshcast::mesh::laws;
 
 const FACTORS: StepFactors = StepFactors { translation: 1.1, stretching: 0.8 };
@@ -82,6 +82,19 @@ fn every_instruction_set_gives_the_same_bits_through_to_broken_bonds() {
     }
     println!("broken bonds in single and double precision: {broken:?}");
     assert!(broken[0] > 0 && broken[1] > 0, "no bond broke: the test would not see breaking");
+}
+
+#[test]
+fn every_instruction_set_gives_the_same_bits_on_fields_of_several_cells() {
+    let mut broken = 0;
+    for arrangement in [Arrangement::Mirrored, Arrangement::Single(3)] {
+        for wire in [laws::bench(), laws::reference()] {
+            let spec = SceneSpec { arrangement, ..small(Test::Anchored, wire) };
+            broken += same_on_all_paths::<f32>(&spec, 130, 3.0e-4);
+            same_on_all_paths::<f64>(&spec, 40, 3.0e-4);
+        }
+    }
+    assert!(broken > 0, "no bond broke: the test would not see breaking");
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 mod calibrated;
 mod determinism;
+mod field;
 mod net;
 mod revisions;
 mod single_bond;
@@ -13,13 +14,20 @@ mod stability;
 mod stops;
 mod yade;
 
-use meshcast::dem::{PLAIN_PHASE, SceneSpec, Test};
+use meshcast::dem::{Arrangement, PLAIN_PHASE, SceneSpec, Test};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::wire::WireData;
 
 /// A scene of the reference layout with a panel of side `spacing`.
 fn spec(test: Test, spacing: f64, wire: WireData) -> SceneSpec {
-    SceneSpec { layout: Layout { spacing, ..REFERENCE }, test, wire, phase: PLAIN_PHASE, seed: 1 }
+    SceneSpec {
+        layout: Layout { spacing, ..REFERENCE },
+        test,
+        wire,
+        phase: PLAIN_PHASE,
+        seed: 1,
+        arrangement: Arrangement::default(),
+    }
 }
 
 /// The scenes of the published runs: anchored on a cell of 3.04 m, laboratory on a panel of 3 m.
@@ -31,7 +39,14 @@ fn published(test: Test, wire: WireData) -> SceneSpec {
 /// A small scene in no symmetric position: panel of 1.2 m, punch of 0.5 m, plates of 0.25 m.
 fn small(test: Test, wire: WireData) -> SceneSpec {
     let layout = Layout { spacing: 1.2, punch: 0.5, plate: 0.25, ex: 0.05, ey: -0.03 };
-    SceneSpec { layout, test, wire, phase: [0.6, 0.35], seed: 5 }
+    SceneSpec {
+        layout,
+        test,
+        wire,
+        phase: [0.6, 0.35],
+        seed: 5,
+        arrangement: Arrangement::default(),
+    }
 }
 
 /// Numbers of a table with a header line; what is empty is not a number.

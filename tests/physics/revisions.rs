@@ -4,7 +4,8 @@
 //! it anew, and only under a revision that it does not hold yet.
 
 use meshcast::dem::{
-    Controls, Fidelity, Flow, PLAIN_PHASE, REVISION, RunOutcome, SceneSpec, Test, check,
+    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, REVISION, RunOutcome, SceneSpec, Test,
+    check,
 };
 use meshcast::layout::Layout;
 use meshcast::mesh::laws;
@@ -13,7 +14,14 @@ use std::path::{Path, PathBuf};
 
 fn scene(test: Test, ex: f64, ey: f64) -> SceneSpec {
     let layout = Layout { plate: 0.25, spacing: 1.2, punch: 0.5, ex, ey };
-    SceneSpec { layout, test, wire: laws::reference(), phase: PLAIN_PHASE, seed: 7 }
+    SceneSpec {
+        layout,
+        test,
+        wire: laws::reference(),
+        phase: PLAIN_PHASE,
+        seed: 7,
+        arrangement: Arrangement::default(),
+    }
 }
 
 /// What a run gives, as the bits of its figures and a hash (FNV-1a) of its curve.

@@ -10,7 +10,9 @@ use meshcast::dem::lattice::{Role, bond_of};
 use meshcast::dem::run::drive;
 use meshcast::dem::stability::Eigenvalues;
 use meshcast::dem::stepper::Stepper;
-use meshcast::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check};
+use meshcast::dem::{
+    Arrangement, Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check,
+};
 use meshcast::layout::Layout;
 use meshcast::mesh::laws;
 use meshcast::words::Choice;
@@ -37,6 +39,7 @@ fn random_scene(k: u64) -> SceneSpec {
         wire,
         phase: [draw(8, 0.0, 1.0), draw(9, 0.0, 1.0)],
         seed: k,
+        arrangement: Arrangement::default(),
     }
 }
 

@@ -2,7 +2,7 @@
 //! picture. The results are invented, see `canned.ron`, and scaled by hand to a layout's sizes; whether a
 //! layout can be checked at all, and what its inputs' fingerprint is, the program itself says.
 
-use meshcast::dem::{PLAIN_PHASE, Scene, SceneSpec, Test};
+use meshcast::dem::{Arrangement, PLAIN_PHASE, Scene, SceneSpec, Test};
 use meshcast::job::news::What;
 use meshcast::job::order::Task;
 use meshcast::job::{News, Order};
@@ -107,7 +107,14 @@ fn check(
 ) -> Result<Made, Vec<Problem>> {
     let wire = wires(mesh)?.clone();
     let (test, phase, seed) = (Test::Anchored, PLAIN_PHASE, wanted.seed);
-    Scene::new(&SceneSpec { layout: *layout, test, wire, phase, seed })?;
+    Scene::new(&SceneSpec {
+        layout: *layout,
+        test,
+        wire,
+        phase,
+        seed,
+        arrangement: Arrangement::default(),
+    })?;
     let result = whole(layout, mesh, wanted, runs);
     let relief = Some(relief(layout, &result));
     Ok(Made { result, relief })

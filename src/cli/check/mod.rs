@@ -20,7 +20,7 @@ use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
 use crate::case::{Case, NamedCase, expected_break};
-use crate::dem::{Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::{Field, Values, laboratory};
 use crate::mesh::STANDARD_PUNCH;
@@ -138,6 +138,7 @@ fn prepare(
         wire: wires.for_mesh(&case.mesh)?,
         phase: plan.phase.unwrap_or(PLAIN_PHASE),
         seed: plan.seed,
+        arrangement: Arrangement::default(),
     };
     let controls = args.controls()?;
     let placed = |found: Vec<Problem>| {

@@ -178,11 +178,14 @@ struct Planes<R> {
     own: [[*const R; 2]; 3],
     forces: [[[*mut R; 3]; 3]; 3],
     held: [*const R; 2],
-    across: [*const R; 2],
-    sums: [*mut R; 2],
-    near: *const bool,
+    across: *const R,
+    sums: *mut R,
+    target: *const usize,
+    near: *const u8,
     holds: *const bool,
     stride: usize,
+    places: usize,
+    rows: usize,
     columns: usize,
 }
 
@@ -199,11 +202,14 @@ impl<R: Real> Planes<R> {
                 .each_mut()
                 .map(|row| row.each_mut().map(|side| side.each_mut().map(|p| p.as_mut_ptr()))),
             held: state.held.each_ref().map(|p| p.as_ptr()),
-            across: state.across.each_ref().map(|p| p.as_ptr()),
-            sums: state.sums.each_mut().map(|p| p.as_mut_ptr()),
+            across: state.across.as_ptr(),
+            sums: state.sums.all.as_mut_ptr(),
+            target: state.sums.target.as_ptr(),
             near: state.near.as_ptr(),
             holds: state.holds.as_ptr(),
             stride: state.stride,
+            places: state.sums.places,
+            rows: state.rows,
             columns: state.columns,
         }
     }
@@ -424,7 +430,8 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
         if row % 2 == 1 { (place + 1, place) } else { (place, place - 1) };
     // SAFETY: the caller promises the instruction set and a vector from `column` on within a row that
     // exists: `at` is in the planes, `place` and a place to either side in the row buffers with their
-    // pads, `block` in `near` and `holds`, which have a place for each block of each row.
+    // pads, `block` in `near` and `holds`, which have a place for each block of each row, and each row's
+    // target has three rows of sums behind it.
     unsafe {
         let moved = [three::<L>(planes.moved[0], at), three::<L>(planes.moved[1], at)];
         let twist = three::<L>(planes.forces[own][0], place);
@@ -439,14 +446,20 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
             force[0][k] = twist[k].sub(down[0][k].add(down[1][k]));
             force[1][k] = up[0][k].add(up[1][k]).sub(twist[k]);
         }
-        if *planes.near.add(block) {
-            contact::<L, W>(step, row, column, &moved, &mut force);
+        let mut domes = *planes.near.add(block);
+        while domes != 0 {
+            let dome = domes.trailing_zeros() as usize;
+            contact::<L, W>(step, row, column, dome, &moved, &mut force);
+            domes &= domes - 1;
         }
         if *planes.holds.add(block) {
-            let sum = planes.sums[1].add(place);
             let held = [L::load(planes.held[0].add(at)), L::load(planes.held[1].add(at))];
-            let support = held[0].mul(force[0][2]).add(held[1].mul(force[1][2]));
-            L::load(sum).add(support).store(sum);
+            let first = *planes.target.add(row);
+            for (k, (bottom, top)) in force[0].iter().zip(&force[1]).enumerate() {
+                let sum = planes.sums.add((first + k) * planes.places + place);
+                let support = held[0].mul(*bottom).add(held[1].mul(*top));
+                L::load(sum).add(support).store(sum);
+            }
         }
         let keep = L::splat(step.keep);
         let grain = L::splat(step.grain);
@@ -469,20 +482,23 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
     }
 }
 
-/// Adds the dome's push on the nodes of a block and sums it up.
+/// Adds a dome's push on the nodes of a block and sums it up.
 #[inline(always)]
 unsafe fn contact<L: Lanes<Real = W::Real>, W: Lanes>(
     step: &Step<'_, W>,
     row: usize,
     column: usize,
+    dome: usize,
     moved: &[[L; 3]; 2],
     force: &mut [[L; 3]; 2],
 ) {
-    // SAFETY: as in `nodes_at`, which hands on its own row and column.
+    // SAFETY: as in `nodes_at`, which hands on its own row and column, and a dome that exists: each has two
+    // rows in `across` and one of sums.
     unsafe {
         let place = PAD + column;
+        let (planes, along) = (&step.planes, &step.along[dome * step.planes.rows + row]);
         let values = &step.dome;
-        let dome = DomeLanes::<L> {
+        let shape = DomeLanes::<L> {
             cap_reach: L::splat(values.cap_reach),
             rim_reach: L::splat(values.rim_reach),
             ring: L::splat(values.ring),
@@ -491,13 +507,13 @@ unsafe fn contact<L: Lanes<Real = W::Real>, W: Lanes>(
             cap_height: L::splat(step.heights[0]),
             ring_height: L::splat(step.heights[1]),
         };
-        let across = L::load(step.planes.across[row % 2].add(place));
-        let sum = step.planes.sums[0].add(place);
+        let across = L::load(planes.across.add((2 * dome + row % 2) * planes.places + place));
+        let sum = planes.sums.add(dome * planes.places + place);
         let mut total = L::load(sum);
         for end in 0..2 {
             let u = moved[end];
-            let p = [u[0].add(across), u[1].add(L::splat(step.along[row][end])), u[2]];
-            let push = dome.push(p);
+            let p = [u[0].add(across), u[1].add(L::splat(along[end])), u[2]];
+            let push = shape.push(p);
             for k in 0..3 {
                 force[end][k] = force[end][k].add(push[k]);
             }

@@ -24,6 +24,7 @@ mod path;
 mod plane;
 mod reach;
 pub(crate) mod state;
+mod sums;
 
 use super::inertia::{self, PairModes, StepFactors};
 use super::lattice::{Role, bond_number, bond_of};
@@ -35,7 +36,7 @@ use lanes::{Portable, Real};
 pub use path::Path;
 use path::Set;
 pub use state::NetState;
-use state::{BLOCK, BondValues, MISSING, PAD, bond_values, curve};
+use state::{BLOCK, BondValues, MISSING, bond_values, curve};
 
 /// The fast solver.
 #[derive(Debug, Clone)]
@@ -50,6 +51,8 @@ pub struct Fast<R: Kernel> {
     until_search: usize,
     /// Whether a node came under the dome where contact is not looked for.
     missed: bool,
+    /// Steps of the last block, of which the sums are.
+    block: usize,
 }
 
 /// How a fast solver is set up.
@@ -105,6 +108,7 @@ impl<R: Kernel> Fast<R> {
             deflection: 0.0,
             until_search: first.steps,
             missed: false,
+            block: 0,
         }
     }
 
@@ -133,9 +137,8 @@ impl<R: Kernel> Fast<R> {
 impl<R: Kernel> Stepper for Fast<R> {
     fn advance(&mut self, steps: usize, travel: f64) -> StepBlock {
         let mean = self.deflection + travel * (steps as f64 - 1.0) / 2.0;
-        for sum in &mut self.state.sums {
-            sum.fill(R::default());
-        }
+        self.state.sums.clear();
+        self.block = steps;
         // Counted from here, so that the punch stands at the same bits whenever searches come.
         let start = self.deflection;
         let mut done = 0;
@@ -160,13 +163,12 @@ impl<R: Kernel> Stepper for Fast<R> {
             // No number, so that nobody takes the run for a sound one.
             return StepBlock { deflection: mean, punch: f64::NAN, support: f64::NAN };
         }
-        // In one order, whatever the vectors' width.
-        let total = |sum: &[R]| sum.iter().map(|x| x.wide()).sum::<f64>() / steps as f64;
-        StepBlock {
-            deflection: mean,
-            punch: total(&self.state.sums[0][PAD..PAD + self.state.columns]),
-            support: total(&self.state.sums[1][PAD..PAD + self.state.columns]),
-        }
+        let sums = &self.state.sums;
+        StepBlock { deflection: mean, punch: sums.punch(steps), support: sums.support(steps) }
+    }
+
+    fn anchors(&self) -> Vec<[f64; 3]> {
+        self.state.sums.anchors(self.block.max(1))
     }
 
     fn deflection(&self) -> f64 {
@@ -213,7 +215,7 @@ impl<R: Kernel> Stepper for Fast<R> {
                 energy += modes.kinetic(at(&bottom), at(&top));
             }
         }
-        energy
+        energy / state.domes() as f64
     }
 
     fn energies(&self) -> Energies {
@@ -256,22 +258,23 @@ impl<R: Kernel> Stepper for Fast<R> {
         let mut contact = 0.0;
         for row in 0..state.rows {
             for column in 0..state.columns {
-                if !state.near[(row * state.stride + column) / BLOCK] {
-                    continue; // Out of the dome's reach.
-                }
-                for end in 0..2 {
-                    let u = self.node(end, state.at(row, column));
-                    let p = [
-                        u[0] + state.across[row % 2][PAD + column].wide(),
-                        u[1] + state.along[row][end].wide(),
-                        u[2],
-                    ];
-                    let depth = self.scene.dome.depth(p, self.deflection).0.max(0.0);
-                    contact += 0.5 * self.scene.dome.stiffness * depth * depth;
+                let near = state.near[(row * state.stride + column) / BLOCK];
+                for dome in (0..state.domes()).filter(|dome| near >> dome & 1 == 1) {
+                    for end in 0..2 {
+                        let u = self.node(end, state.at(row, column));
+                        let p = [
+                            u[0] + state.across[state.across_at(dome, row) + column].wide(),
+                            u[1] + state.along[dome * state.rows + row][end].wide(),
+                            u[2],
+                        ];
+                        let depth = self.scene.dome.depth(p, self.deflection).0.max(0.0);
+                        contact += 0.5 * self.scene.dome.stiffness * depth * depth;
+                    }
                 }
             }
         }
-        Energies { kinetic: self.kinetic(), bonds, contact }
+        let domes = state.domes() as f64;
+        Energies { kinetic: self.kinetic(), bonds: bonds / domes, contact: contact / domes }
     }
 
     fn utilisation(&self) -> f64 {
@@ -360,10 +363,12 @@ unsafe fn steps<L: lanes::Lanes>(
         if state.uniform {
             for step in 0..steps {
                 kernel::step::<L, true>(state, heights(step));
+                state.sums.settle();
             }
         } else {
             for step in 0..steps {
                 kernel::step::<L, false>(state, heights(step));
+                state.sums.settle();
             }
         }
     }

@@ -26,23 +26,27 @@ pub(super) struct Found {
     pub(super) missed: bool,
 }
 
-/// Marks the blocks whose nodes may come within `reach` (m) of the punch's axis until the next search.
+/// Marks the blocks whose nodes may come within `reach` (m) of a punch's axis until the next search, with a
+/// bit for each punch.
 pub(super) fn search<R: Real>(state: &mut NetState<R>, reach: f64) -> Found {
     let outer = (reach + MARGIN) * (reach + MARGIN);
     let before = state.near.clone();
     let mut missed = false;
-    state.near.fill(false);
-    for row in 0..state.rows {
-        for end in 0..2 {
-            if far(state, row, end, reach + MARGIN) {
-                continue;
-            }
-            for column in 0..state.columns {
-                let square = square_distance(state, row, end, column);
-                if square < outer {
-                    let block = (row * state.stride + column) / BLOCK;
-                    state.near[block] = true;
-                    missed |= square < reach * reach && !before[block];
+    state.near.fill(0);
+    for dome in 0..state.domes() {
+        let bit = 1 << dome;
+        for row in 0..state.rows {
+            for end in 0..2 {
+                if far(state, dome, row, end, reach + MARGIN) {
+                    continue;
+                }
+                for column in 0..state.columns {
+                    let square = square_distance(state, dome, row, end, column);
+                    if square < outer {
+                        let block = (row * state.stride + column) / BLOCK;
+                        state.near[block] |= bit;
+                        missed |= square < reach * reach && before[block] & bit == 0;
+                    }
                 }
             }
         }
@@ -50,9 +54,9 @@ pub(super) fn search<R: Real>(state: &mut NetState<R>, reach: f64) -> Found {
     Found { steps: steps_to(state, reach), missed }
 }
 
-/// Whether no node of a row's bottoms or tops can be this near to the axis, however it moved along x.
-fn far<R: Real>(state: &NetState<R>, row: usize, end: usize, near: f64) -> bool {
-    let along = state.along[row][end].wide().abs();
+/// Whether no node of a row's bottoms or tops can be this near to a punch's axis, however it moved along x.
+fn far<R: Real>(state: &NetState<R>, dome: usize, row: usize, end: usize, near: f64) -> bool {
+    let along = state.along[dome * state.rows + row][end].wide().abs();
     // Rows at the punch need no look at how far their nodes have moved.
     along > near && along - most(row_of(state, &state.moved[end][1], row)) > near
 }
@@ -86,22 +90,24 @@ fn steps_to<R: Real>(state: &NetState<R>, reach: f64) -> usize {
         return SEARCH;
     }
     let mut steps = SEARCH as f64;
-    for row in 0..state.rows {
-        for column in 0..state.columns {
-            if state.near[(row * state.stride + column) / BLOCK] {
-                continue;
-            }
-            for end in 0..2 {
-                let square = square_distance(state, row, end, column);
-                if square > (reach + way) * (reach + way) {
+    for dome in 0..state.domes() {
+        for row in 0..state.rows {
+            for column in 0..state.columns {
+                if state.near[(row * state.stride + column) / BLOCK] >> dome & 1 == 1 {
                     continue;
                 }
-                let at = state.at(row, column);
-                let [x, y] = [0, 1].map(|k| state.velocity[end][k][at].wide());
-                let speed = GAIN * (x * x + y * y).sqrt();
-                let gap = square.sqrt() - reach;
-                if speed * steps > gap {
-                    steps = gap / speed;
+                for end in 0..2 {
+                    let square = square_distance(state, dome, row, end, column);
+                    if square > (reach + way) * (reach + way) {
+                        continue;
+                    }
+                    let at = state.at(row, column);
+                    let [x, y] = [0, 1].map(|k| state.velocity[end][k][at].wide());
+                    let speed = GAIN * (x * x + y * y).sqrt();
+                    let gap = square.sqrt() - reach;
+                    if speed * steps > gap {
+                        steps = gap / speed;
+                    }
                 }
             }
         }
@@ -109,11 +115,18 @@ fn steps_to<R: Real>(state: &NetState<R>, reach: f64) -> usize {
     (steps as usize).max(1)
 }
 
-/// Square of a node's distance from the punch's axis, m^2.
-fn square_distance<R: Real>(state: &NetState<R>, row: usize, end: usize, column: usize) -> f64 {
+/// Square of a node's distance from a punch's axis, m^2.
+fn square_distance<R: Real>(
+    state: &NetState<R>,
+    dome: usize,
+    row: usize,
+    end: usize,
+    column: usize,
+) -> f64 {
     let at = PAD + row * state.stride + column;
-    let x = state.across[row % 2][PAD + column].wide() + state.moved[end][0][at].wide();
-    let y = state.along[row][end].wide() + state.moved[end][1][at].wide();
+    let x =
+        state.across[state.across_at(dome, row) + column].wide() + state.moved[end][0][at].wide();
+    let y = state.along[dome * state.rows + row][end].wide() + state.moved[end][1][at].wide();
     x * x + y * y
 }
 
@@ -123,7 +136,7 @@ mod tests {
     use super::*;
     use crate::dem::run::drive;
     use crate::dem::stepper::Stepper;
-    use crate::dem::{Controls, Flow, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
+    use crate::dem::{Arrangement, Controls, Flow, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
     use crate::layout::Layout;
     use crate::mesh::laws;
 
@@ -135,6 +148,7 @@ mod tests {
             wire: laws::bench(),
             phase: PLAIN_PHASE,
             seed: 0,
+            arrangement: Arrangement::default(),
         };
         Scene::new(&spec).unwrap()
     }
@@ -150,8 +164,8 @@ mod tests {
     fn nearest_unmarked(state: &NetState<f64>) -> (usize, usize, f64) {
         let places = (0..state.rows).flat_map(|r| (0..state.columns).map(move |c| (r, c)));
         places
-            .filter(|(r, c)| !state.near[(r * state.stride + c) / BLOCK])
-            .map(|(r, c)| (r, c, square_distance(state, r, 0, c).sqrt()))
+            .filter(|(r, c)| state.near[(r * state.stride + c) / BLOCK] == 0)
+            .map(|(r, c)| (r, c, square_distance(state, 0, r, 0, c).sqrt()))
             .min_by(|a, b| a.2.total_cmp(&b.2))
             .unwrap()
     }
@@ -177,7 +191,7 @@ mod tests {
         assert_eq!(search(state, reach).steps, 1);
         // Far from the punch the same speed takes no search forward.
         let corner = state.at(0, 0);
-        let away = square_distance(state, 0, 0, 0).sqrt() - reach;
+        let away = square_distance(state, 0, 0, 0, 0).sqrt() - reach;
         state.velocity[0][0][at] = 0.0;
         state.velocity[0][0][corner] = away / 70.0;
         assert_eq!(search(state, reach).steps, SEARCH);
@@ -207,7 +221,7 @@ mod tests {
         let (state, reach) = (&mut fast.state, scene.dome.reach());
         let y = scene.from_axis(scene.lattice.bottom(0, 3));
         state.put(0, 0, 3, [-y[0], -y[1], 0.0]);
-        assert!(search(state, reach).missed && state.near[3 / BLOCK]);
+        assert!(search(state, reach).missed && state.near[3 / BLOCK] == 1);
         assert!(!search(state, reach).missed);
     }
 }

@@ -12,6 +12,7 @@ use super::super::law::{BondCurve, Ramp};
 use super::super::scene::Scene;
 use super::lanes::Real;
 use super::plane::Plane;
+use super::sums::Sums;
 
 /// Places before the first row and behind the last one.
 pub(super) const PAD: usize = 16;
@@ -119,7 +120,8 @@ pub(super) type Three<R> = [Plane<R>; 3];
 /// The kernel walks the planes by addresses, and what keeps it inside them is made by the constructor and
 /// never changed: `stride` is a multiple of [`BLOCK`] and at least `columns + 2`; the planes have
 /// `2 PAD + (rows + 1) stride` places, those of a row `2 PAD + stride`, `own` as many as a plane unless
-/// `uniform`, `holds` and `near` `rows stride / BLOCK`, `along` `rows`; [`PAD`] is a vector.
+/// `uniform`, `holds` and `near` `rows stride / BLOCK`; `across` two rows' places and `along` `rows` for
+/// each of the domes, of which `near` has no more bits; [`PAD`] is a vector. Of the sums see there.
 ///
 /// ```compile_fail,E0616
 /// fn more(state: &mut meshcast::dem::fast::NetState<f32>) {
@@ -160,14 +162,14 @@ pub struct NetState<R: Copy> {
     pub(super) held: [Plane<R>; 2],
     /// Whether a block of a row holds a fixed node.
     pub(super) holds: Vec<bool>,
-    /// Whether a block of a row may touch the dome.
-    pub(super) near: Vec<bool>,
-    /// Place of the bottom nodes of even and odd rows from the punch's axis along x, m.
-    pub(super) across: [Plane<R>; 2],
-    /// Place of a row's bottom and top nodes from the punch's axis along y, m.
+    /// Which domes a block of a row may touch, a bit each.
+    pub(super) near: Vec<u8>,
+    /// Place of the bottom nodes of even and odd rows from each dome's axis along x, m: two rows a dome.
+    pub(super) across: Plane<R>,
+    /// Place of a row's bottom and top nodes from each dome's axis along y, m: `rows` a dome.
     pub(super) along: Vec<[R; 2]>,
-    /// Sums over rows and steps of the force on the punch and on the support, by column, N.
-    pub(super) sums: [Plane<R>; 2],
+    /// Sums over rows and steps of forces by column, N (see [`super::sums`]).
+    pub(super) sums: Sums<R>,
     /// Part of the velocity that stays after a step.
     pub(super) keep: R,
     /// See [`Real::GRAIN`].
@@ -240,10 +242,10 @@ impl<R: Real> NetState<R> {
             }),
             held: [zeros(), zeros()],
             holds: vec![false; rows * stride / BLOCK],
-            near: vec![false; rows * stride / BLOCK],
-            across: [row_zeros(), row_zeros()],
-            along: Vec::new(),
-            sums: [row_zeros(), row_zeros()],
+            near: vec![0; rows * stride / BLOCK],
+            across: Plane::new(R::default(), 2 * scene.field.blocks.len() * (stride + 2 * PAD)),
+            along: Vec::with_capacity(rows * scene.field.blocks.len()),
+            sums: Sums::new(scene, stride + 2 * PAD),
             keep: R::new(keep),
             grain: R::new(R::GRAIN),
             dome: DomeValues {
@@ -290,15 +292,34 @@ impl<R: Real> NetState<R> {
         PAD + row * self.stride + column
     }
 
+    /// Where the places of a row's first column from a dome's axis stand in `across`.
+    pub(super) fn across_at(&self, dome: usize, row: usize) -> usize {
+        PAD + (2 * dome + row % 2) * (self.stride + 2 * PAD)
+    }
+
+    /// How many domes there are.
+    pub(super) fn domes(&self) -> usize {
+        self.along.len() / self.rows.max(1)
+    }
+
     fn fill(&mut self, scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2]) {
         let lattice = &scene.lattice;
+        for (k, block) in scene.field.blocks.iter().enumerate() {
+            for row in 0..self.rows {
+                let here = scene.pair_from(block, row, 0);
+                self.along.push(here.map(|p| R::new(p[1])));
+            }
+            for row in 0..self.rows.min(2) {
+                let first = self.across_at(k, row);
+                for column in 0..self.columns {
+                    let [bottom, _] = scene.pair_from(block, row, column);
+                    self.across[first + column] = R::new(bottom[0]);
+                }
+            }
+        }
         for row in 0..self.rows {
-            let here = [lattice.bottom(row, 0), lattice.top(row, 0)];
-            self.along.push(here.map(|p| R::new(scene.from_axis(p)[1])));
             for column in 0..self.columns {
                 let (pair, at) = (row * self.columns + column, self.at(row, column));
-                self.across[row % 2][PAD + column] =
-                    R::new(scene.from_axis(lattice.bottom(row, column))[0]);
                 self.inertia[0][at] = R::new(inertia[pair].own[0]);
                 self.inertia[1][at] = R::new(inertia[pair].own[1]);
                 self.inertia[2][at] = R::new(inertia[pair].cross);

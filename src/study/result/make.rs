@@ -2,7 +2,7 @@
 
 use super::relief::Relief;
 use super::{CheckResult, Wanted};
-use crate::dem::{Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::fingerprint::Fingerprint;
 use crate::layout::Layout;
 use crate::mesh::MeshType;
@@ -37,6 +37,7 @@ fn spec(layout: &Layout, wire: &WireData, wanted: &Wanted) -> SceneSpec {
         wire: wire.clone(),
         phase: PLAIN_PHASE,
         seed: wanted.seed,
+        arrangement: Arrangement::default(),
     }
 }
 

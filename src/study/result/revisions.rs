@@ -97,6 +97,7 @@ mod tests {
             stretch: [1.0; 2],
             repeated: false,
             net: None,
+            anchors: Vec::new(),
         };
         Run { seed, phase, outcome, wall: 0.0, processor: 0.0 }
     }

@@ -1,0 +1,145 @@
+//! The fast solver's sums of forces: on each dome, and of each row of anchors along x, y and z.
+//!
+//! Each is a row of numbers by column, to which every row of the net adds what acts on it there. Which of
+//! the anchors of a row a column belongs to is looked up when the sums are read.
+//!
+//! *Order.* Single precision sums depend on their order, and a field of several cells must give each of them
+//! what one cell has. There the rows above an anchor's centre come first and those below it, which stand at the
+//! cell's upper end, last. In a field the lower rows of all but the first row of anchors are met first: they
+//! have sums of their own, which are added at the end of each step ([`Sums::settle`]).
+
+use super::super::scene::Scene;
+use super::lanes::Real;
+use super::plane::Plane;
+use super::state::PAD;
+
+/// The sums; see the head of this file. `all` has a row's places for each dome, then three for each row of
+/// anchors, then three for each late row; `target` has a number for each row of the net, of the first of
+/// three that are there.
+#[derive(Debug, Clone)]
+pub(super) struct Sums<R: Copy> {
+    /// All rows of sums.
+    pub(super) all: Plane<R>,
+    /// Places of a row.
+    pub(super) places: usize,
+    /// Which sums a row of the net adds its held nodes' forces to.
+    pub(super) target: Vec<usize>,
+    /// Which of the late sums are added to which, in the order of their rows.
+    late: Vec<(usize, usize)>,
+    /// Columns and rows of anchors; none in the laboratory.
+    anchors: [usize; 2],
+    /// Column of anchors that each column of the net is nearest to.
+    nearest: Vec<usize>,
+    /// Domes.
+    domes: usize,
+    /// Columns of a cell, and of the net.
+    columns: [usize; 2],
+}
+
+impl<R: Real> Sums<R> {
+    /// The sums of a scene, in rows of so many places.
+    pub(super) fn new(scene: &Scene, places: usize) -> Sums<R> {
+        let lattice = &scene.lattice;
+        let (field, domes) = (&scene.field, scene.field.blocks.len());
+        let anchored = lattice.periodic;
+        let anchor = |row: usize, column: usize, end: usize| {
+            let (nodes, cell) = scene.in_its_cell(row, column);
+            (field.nearest_anchor(nodes[end], cell).0, cell)
+        };
+        let mut late = Vec::new();
+        let rows = if anchored { field.cells[1] } else { 1 };
+        let mut target = Vec::with_capacity(lattice.rows);
+        for row in 0..lattice.rows {
+            // A plate is far smaller than a cell, so both nodes of a held pair have the same anchor.
+            let ([_, above], [_, cell]) =
+                if anchored { anchor(row, 0, 1) } else { ([0, 0], [0, 0]) };
+            let sums = domes + 3 * above;
+            if above > cell {
+                target.push(domes + 3 * (rows + late.len()));
+                late.push((domes + 3 * (rows + late.len()), sums));
+            } else {
+                target.push(sums);
+            }
+        }
+        let nearest =
+            (0..lattice.columns).map(|c| if anchored { anchor(0, c, 0).0[0] } else { 0 }).collect();
+        Sums {
+            all: Plane::new(R::default(), places * (domes + 3 * (rows + late.len()))),
+            places,
+            target,
+            late,
+            anchors: if anchored { field.cells } else { [0, 0] },
+            nearest,
+            domes,
+            columns: [lattice.columns / field.cells[0], lattice.columns],
+        }
+    }
+
+    /// Sets all to zero.
+    pub(super) fn clear(&mut self) {
+        self.all.fill(R::default());
+    }
+
+    /// Adds the late sums of a step to those that they belong to.
+    pub(super) fn settle(&mut self) {
+        for &(late, to) in &self.late {
+            for k in 0..3 {
+                let (from, into) = ((late + k) * self.places, (to + k) * self.places);
+                let (front, back) = self.all.split_at_mut(from);
+                let sums = &mut front[into..into + self.places];
+                for (sum, late) in sums.iter_mut().zip(&mut back[..self.places]) {
+                    *sum = R::new(sum.wide() + late.wide());
+                    *late = R::default();
+                }
+            }
+        }
+    }
+
+    /// Mean force on the domes, N, over so many steps.
+    pub(super) fn punch(&self, steps: usize) -> f64 {
+        let total: f64 = (0..self.domes).map(|dome| self.total(dome, |_| true, steps)).sum();
+        total / self.domes as f64
+    }
+
+    /// Mean force of the fixed nodes along z per dome, N.
+    pub(super) fn support(&self, steps: usize) -> f64 {
+        let [columns, rows] = self.anchors;
+        if columns * rows <= 1 {
+            return self.total(self.domes + 2, |_| true, steps);
+        }
+        let total: f64 = self.anchors(steps).iter().map(|force| force[2]).sum();
+        total / self.domes as f64
+    }
+
+    /// Mean force of each anchor, N, row by row.
+    pub(super) fn anchors(&self, steps: usize) -> Vec<[f64; 3]> {
+        let [columns, rows] = self.anchors;
+        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        places
+            .map(|(row, column)| {
+                [0, 1, 2].map(|k| {
+                    let own = |place: usize| self.nearest[place] == column;
+                    self.total(self.domes + 3 * row + k, own, steps)
+                })
+            })
+            .collect()
+    }
+
+    /// Sum of a row over the columns that count: in one order, whatever the vectors' width, and in that of
+    /// one cell, however many there are.
+    fn total(&self, row: usize, counts: impl Fn(usize) -> bool, steps: usize) -> f64 {
+        let sums = &self.all[row * self.places + PAD..][..self.columns[1]];
+        let mut total = 0.0;
+        if self.columns[0] == self.columns[1] {
+            return sums.iter().map(|x| x.wide()).sum::<f64>() / steps as f64; // All are the only cell's.
+        }
+        for within in 0..self.columns[0] {
+            for place in (within..self.columns[1]).step_by(self.columns[0]) {
+                if counts(place) {
+                    total += sums[place].wide();
+                }
+            }
+        }
+        total / steps as f64
+    }
+}
