@@ -3,6 +3,7 @@
 //! Rooms below `project` and `cli` only know fields. Those two rooms add the file and the line
 //! or the flag, and print the whole.
 
+use crate::words::in_text;
 use std::fmt;
 
 /// One thing wrong with one field of the input.
@@ -21,6 +22,14 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// What is wrong with a text of any number of lines, if it has characters that cannot be shown.
+    pub(crate) fn of_text(field: &str, text: &str) -> Option<Problem> {
+        (!text.chars().all(in_text)).then(|| {
+            Problem::new(field, "the text has characters that cannot be shown")
+                .allowed("letters, digits, signs, line feeds and tabs")
+        })
+    }
+
     /// A problem with `field`, of which `message` says what is wrong.
     pub(crate) fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Problem {

@@ -17,6 +17,22 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
     }
 }
 
+/// Whether a character can be shown as it is: no control character, which would be a command to a
+/// terminal, and none that turns the direction of the text around it, which makes a line read otherwise
+/// than it is.
+pub(crate) fn shown(c: char) -> bool {
+    let turns = matches!(
+        c,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+    );
+    !turns && !c.is_control()
+}
+
+/// Whether a character can stand in a text of several lines.
+pub(crate) fn in_text(c: char) -> bool {
+    shown(c) || matches!(c, '\n' | '\r' | '\t')
+}
+
 /// The words of some choices.
 pub(crate) fn words_of<T: Choice>(choices: &[T]) -> Vec<&'static str> {
     choices.iter().map(|one| one.word()).collect()
@@ -49,6 +65,18 @@ fn only_beginning<'a>(typed: &str, known: &[&'a str]) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commands_and_turned_text_are_not_shown() {
+        for c in ['\u{1b}', '\u{7}', '\u{9b}', '\u{7f}', '\n', '\u{202e}', '\u{2066}', '\u{200f}'] {
+            assert!(!shown(c), "{c:?}");
+        }
+        // Letters of any direction, and the joiners that spell words.
+        for c in ['a', 'ö', 'ش', 'ש', '漢', '\u{200d}', ' ', '\u{a0}'] {
+            assert!(shown(c), "{c:?}");
+        }
+        assert!(in_text('\n') && in_text('\t') && !in_text('\u{1b}'));
+    }
 
     #[test]
     fn near_words_are_found_and_far_ones_are_not() {

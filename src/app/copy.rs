@@ -4,7 +4,6 @@ use super::App;
 use super::derived::LayoutResult;
 use super::message::Command;
 use crate::case::Input;
-use crate::case::NO_FIELD_VALUE;
 use crate::problem::summary;
 use crate::project::schema::NamedLayout;
 use crate::show::layouts::{self, LayoutParts, LayoutRow};
@@ -65,11 +64,11 @@ impl App {
     pub(crate) fn answer_line(&self) -> String {
         let layout = self.layout();
         let m = |v: f64| length_text(v, self.units());
-        let answer = match (&self.result().derived, self.result().forecast().and_then(|f| f.field))
-        {
+        let answer = match (&self.result().derived, self.result().forecast().map(|f| f.field)) {
             (Err(problems), _) => summary(problems),
-            (_, None) => NO_FIELD_VALUE.into(),
-            (Ok(derived), Some(field)) => {
+            (_, None) => String::new(),
+            (_, Some(Err(why))) => why.sentence().into(),
+            (Ok(derived), Some(Ok(field))) => {
                 let mut text = say::values(field.values, self.units());
                 if let Some(a) = self.result().answer().and_then(|d| d.at_force) {
                     text += &format!(", {} at {} kN", a.use_text(), significant(to_kn(a.load), 3));

@@ -3,6 +3,7 @@
 use super::key::{Code, Key};
 use super::keymap::StudyPage;
 use crate::case::Input;
+use crate::words::shown;
 use tui_input::{Input as TextInput, InputRequest};
 
 /// What the text is for.
@@ -166,7 +167,7 @@ impl LineEntry {
     }
 
     fn insert(&mut self, c: char) -> LineKey {
-        if !c.is_control() && self.text().chars().count() < LONGEST {
+        if shown(c) && self.text().chars().count() < LONGEST {
             self.input.handle(InputRequest::InsertChar(c));
             self.error = None;
         }

@@ -82,7 +82,7 @@ impl Input {
         if text.trim().is_empty() && self.clearable() {
             return Ok(None);
         }
-        let value = units::parse(text, self.row().quantity, lengths)
+        let value = units::parse_typed(text, self.row().quantity, lengths)
             .map_err(|e| format!("{e}; allowed {}", self.allowed_in(layout, lengths)))?;
         self.check(value, layout, lengths)?;
         Ok(Some(value))

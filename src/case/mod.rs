@@ -19,7 +19,7 @@ use crate::forecast::design::{Answer, answer};
 use crate::forecast::field::Branch;
 use crate::forecast::fingerprint::{of_inputs, of_question};
 use crate::forecast::warning::Warning;
-use crate::forecast::{Field, Forecast, Values, forecast, laboratory};
+use crate::forecast::{Field, Forecast, NoField, Values, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::problem::{Problem, summary};
@@ -73,20 +73,16 @@ pub struct CasePoint {
 pub enum NoValue {
     /// Its sizes make no sense, as a spacing below the punch's diameter.
     Senseless(Vec<Problem>),
-    /// The punch overlaps an anchor plate, which is outside the method.
-    PunchOnPlate,
+    /// It makes sense, and the method has no value for it.
+    Outside(NoField),
 }
 
-/// What is said where a sound layout has no field value.
-pub(crate) const NO_FIELD_VALUE: &str =
-    "no field value: the punch is on an anchor plate, outside the method";
-
 impl NoValue {
-    /// Stable identifier for programs: `senseless` or, as the forecast's warning, `punch_on_plate`.
+    /// Stable identifier for programs: `senseless` or that of the forecast's warning.
     pub(crate) fn code(&self) -> &'static str {
         match self {
             NoValue::Senseless(_) => "senseless",
-            NoValue::PunchOnPlate => "punch_on_plate",
+            NoValue::Outside(why) => why.code(),
         }
     }
 
@@ -94,7 +90,7 @@ impl NoValue {
     pub(crate) fn short(&self) -> &'static str {
         match self {
             NoValue::Senseless(_) => "no sense",
-            NoValue::PunchOnPlate => "on plate",
+            NoValue::Outside(why) => why.short(),
         }
     }
 
@@ -102,7 +98,7 @@ impl NoValue {
     pub(crate) fn sentence(&self) -> String {
         match self {
             NoValue::Senseless(problems) => format!("no value: {}", summary(problems)),
-            NoValue::PunchOnPlate => NO_FIELD_VALUE.into(),
+            NoValue::Outside(why) => why.sentence().into(),
         }
     }
 }
@@ -132,7 +128,7 @@ impl Case {
     /// Every input that makes no sense.
     pub fn derive(&self) -> Result<Derived, Vec<Problem>> {
         let forecast = self.forecast()?;
-        let answer = forecast.field.map(|field| answer(&field, &self.asked()));
+        let answer = forecast.field.ok().map(|field| answer(&field, &self.asked()));
         Ok(Derived { forecast, answer })
     }
 
@@ -147,7 +143,10 @@ impl Case {
     /// Why there are none.
     pub fn outcome(&self) -> CaseValue {
         let Derived { forecast, answer } = self.derive().map_err(NoValue::Senseless)?;
-        let (field, answer) = forecast.field.zip(answer).ok_or(NoValue::PunchOnPlate)?;
+        let field = forecast.field.map_err(NoValue::Outside)?;
+        // A field value has its answer.
+        let answer =
+            answer.unwrap_or_else(|| crate::forecast::design::answer(&field, &self.question));
         Ok(CasePoint { field, answer, warnings: forecast.warnings })
     }
 
@@ -297,7 +296,7 @@ mod tests {
     #[test]
     fn a_case_without_values_says_why() {
         let on_plate = case(Layout { ex: 1.5, ey: 1.5, ..REFERENCE }, None);
-        assert_eq!(on_plate.outcome(), Err(NoValue::PunchOnPlate));
+        assert_eq!(on_plate.outcome(), Err(NoValue::Outside(NoField::PunchOnPlate)));
         let code = |case: Case| case.outcome().unwrap_err().code();
         assert_eq!(code(case(Layout { punch: 3.0, ..REFERENCE }, None)), "senseless");
         let base = case(REFERENCE, None);

@@ -4,10 +4,10 @@ use super::UiFlags;
 use super::destination::Destination;
 use super::output::{CommandEnd, Fault};
 use super::source::ProjectFile;
-use crate::case::NO_FIELD_VALUE;
 use crate::export::form::Form;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Check, ExportedLayout, csv};
+use crate::show::table::with_decimal_comma;
 use clap::{Args, ValueEnum};
 
 /// Write curves or a table as CSV, a chart or a plan as SVG.
@@ -46,6 +46,8 @@ enum What {
 enum Format {
     /// Comma-separated values with a header line.
     Csv,
+    /// The same for spreadsheets with a decimal comma: semicolons between the fields.
+    CsvComma,
     /// A picture for reports.
     Svg,
 }
@@ -53,7 +55,7 @@ enum Format {
 impl Format {
     fn form(self) -> Form {
         match self {
-            Format::Csv => Form::Csv,
+            Format::Csv | Format::CsvComma => Form::Csv,
             Format::Svg => Form::Svg,
         }
     }
@@ -82,9 +84,10 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
     let what = what(args)?;
     let (opened, cases) = args.project.open(args.layout.as_deref())?;
     let unit = ui.units.unwrap_or(opened.project.display.length_unit);
-    let without = cases.iter().filter(|case| case.forecast().field.is_none());
-    let notes: Vec<String> =
-        without.map(|case| format!("layout {:?}: {NO_FIELD_VALUE}", case.entry.name)).collect();
+    let without = cases.iter().filter_map(|case| Some((case, case.forecast().field.err()?)));
+    let notes: Vec<String> = without
+        .map(|(case, why)| format!("layout {:?}: {}", case.entry.name, why.sentence()))
+        .collect();
     let (text, notes) = match what {
         What::Curve => (csv::case_curves(&cases), notes),
         What::Table => (csv::table(&cases), Vec::new()),
@@ -107,14 +110,16 @@ pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
         }
         What::Plan => (plan(only_one(&cases)?, unit), Vec::new()),
     };
+    let comma = args.format == Some(Format::CsvComma);
+    let text = if comma { with_decimal_comma(&text) } else { text };
     args.to.put(text, notes, &args.project.path)
 }
 
 fn what(args: &ExportArgs) -> Result<What, Fault> {
     match (args.what, args.format) {
-        (Some(what), Some(format)) if what.format() != format => {
+        (Some(what), Some(format)) if what.format().form() != format.form() => {
             let (right, others) = match format {
-                Format::Csv => ("CSV", "curve, table"),
+                Format::Csv | Format::CsvComma => ("CSV", "curve, table"),
                 Format::Svg => ("SVG", "chart, plan"),
             };
             Err(Fault::input(format!(

@@ -2,6 +2,7 @@
 
 use crate::problem::Problem;
 use crate::project::LoadError;
+use crate::show::table::with_decimal_comma;
 use clap::ValueEnum;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
@@ -39,6 +40,13 @@ pub(crate) enum TableFormat {
     Json,
     /// A table with a header line, SI with kN.
     Csv,
+    /// The same for spreadsheets with a decimal comma: semicolons between the fields.
+    CsvComma,
+}
+
+/// A table in the form asked for.
+pub(crate) fn csv_as(format: TableFormat, csv: String) -> String {
+    if format == TableFormat::CsvComma { with_decimal_comma(&csv) } else { csv }
 }
 
 /// What a subcommand has to say when it went well.

@@ -5,7 +5,8 @@ use crate::mesh::wire::WireData;
 use crate::mesh::{MeshType, laws};
 use crate::problem::Problem;
 use crate::project::load_wire;
-use std::path::Path;
+use crate::units::shortest;
+use std::path::{Path, PathBuf};
 
 /// Laws with a name.
 pub(crate) const LAWS: &str = "bench, yade or reference";
@@ -13,7 +14,7 @@ pub(crate) const LAWS: &str = "bench, yade or reference";
 /// What stands above the mesh's own wires.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Wires {
-    file: Option<WireData>,
+    file: Option<(PathBuf, WireData)>,
     law: Option<WireData>,
 }
 
@@ -23,9 +24,25 @@ impl Wires {
     /// # Errors
     /// A file that cannot be read, or a law of no such name.
     pub(crate) fn read(mesh_file: Option<&Path>, law: Option<&str>) -> Result<Wires, Fault> {
-        let file = mesh_file.map(load_wire).transpose()?;
+        let read = |path: &Path| load_wire(path).map(|wire| (path.to_path_buf(), wire));
+        let file = mesh_file.map(read).transpose()?;
         let law = law.map(named_or_file).transpose()?;
         Ok(Wires { file, law })
+    }
+
+    /// The mesh that is checked in place of `mesh`, where a file has another net: it is named by that file,
+    /// and `mesh` tells nothing of it.
+    pub(crate) fn other_net(&self, mesh: &MeshType) -> Option<MeshType> {
+        let (path, wire) = self.file.as_ref()?;
+        let own = mesh.wire.as_ref().map(|wire| wire.net);
+        own.is_none_or(|net| net != wire.net).then(|| {
+            let mm = |v: f64| shortest(1000.0 * v);
+            let net =
+                format!("opening {} mm, wire {} mm", mm(wire.net.opening), mm(wire.net.diameter));
+            let id =
+                path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+            MeshType { id, name: net, reference: false, wire: Some(wire.clone()), ..mesh.clone() }
+        })
     }
 
     /// The wires of a check of `mesh`.
@@ -33,7 +50,7 @@ impl Wires {
     /// # Errors
     /// A mesh without wire data where no file stands in for them.
     pub(crate) fn for_mesh(&self, mesh: &MeshType) -> Result<WireData, Fault> {
-        let Some(wire) = self.file.as_ref().or(mesh.wire.as_ref()) else {
+        let Some(wire) = self.file.as_ref().map(|(_, wire)| wire).or(mesh.wire.as_ref()) else {
             return Err(Fault::input(without_wire(mesh)));
         };
         Ok(match &self.law {

@@ -1,5 +1,7 @@
 //! Text of people inside XML, HTML and Markdown: whatever a name holds, it is shown and never obeyed.
 
+use crate::words::in_text;
+
 /// Text that is safe between tags and inside double quotes, in XML and in HTML. What XML cannot hold
 /// at all (control characters) is shown as the replacement character.
 pub(crate) fn xml(text: &str) -> String {
@@ -59,8 +61,7 @@ pub(crate) fn markdown(text: &str, start: bool) -> String {
 }
 
 fn printable(c: char) -> char {
-    let refused = (c.is_control() && !matches!(c, '\t' | '\n' | '\r'))
-        || matches!(c, '\u{fffe}' | '\u{ffff}');
+    let refused = !in_text(c) || matches!(c, '\u{fffe}' | '\u{ffff}');
     if refused { char::REPLACEMENT_CHARACTER } else { c }
 }
 

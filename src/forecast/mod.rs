@@ -28,7 +28,14 @@ use crate::problem::Problem;
 use eccentricity::Eccentricity;
 use field::Branch;
 use ratios::Ratios;
+use std::ops::RangeInclusive;
 use warning::{PublishedRange, Warning};
+
+/// Forces at which punch tests of rockfall meshes break, N: wider than the tests that were published,
+/// to find a record in a wrong unit.
+const PLAUSIBLE_FORCE: RangeInclusive<f64> = 10.0e3..=500.0e3;
+/// Their deflections, m.
+const PLAUSIBLE_DEFLECTION: RangeInclusive<f64> = 0.1..=1.5;
 
 /// Points of a forecast curve, both ends included.
 pub const CURVE_POINTS: usize = 201;
@@ -57,10 +64,49 @@ pub struct Forecast {
     pub ratios: Ratios,
     /// Factors of the eccentricity, with their uncertainty.
     pub eccentricity: Eccentricity,
-    /// The panel's values and curve; nothing when the punch is on a plate.
-    pub field: Option<Field>,
+    /// The panel's values and curve, or why there are none.
+    pub field: Result<Field, NoField>,
     /// What to distrust.
     pub warnings: Vec<Warning>,
+}
+
+/// Why a layout that makes sense has no field value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoField {
+    /// The punch overlaps an anchor plate, which is outside the method.
+    PunchOnPlate,
+    /// The block is smaller than the opening of the mesh.
+    PassesThrough,
+}
+
+impl NoField {
+    /// Stable identifier for programs, that of the forecast's warning.
+    pub(crate) fn code(self) -> &'static str {
+        match self {
+            NoField::PunchOnPlate => "punch_on_plate",
+            NoField::PassesThrough => "passes_through",
+        }
+    }
+
+    /// A word or two for a narrow column.
+    pub(crate) fn short(self) -> &'static str {
+        match self {
+            NoField::PunchOnPlate => "on plate",
+            NoField::PassesThrough => "through",
+        }
+    }
+
+    /// That there is no value, and why; without a final stop.
+    pub(crate) fn sentence(self) -> &'static str {
+        match self {
+            NoField::PunchOnPlate => {
+                "no field value: the punch is on an anchor plate, outside the method"
+            }
+            NoField::PassesThrough => {
+                "no field value: the block is smaller than the opening of the mesh and passes through"
+            }
+        }
+    }
 }
 
 /// The forecast of the anchored panel: its values at failure, and with them its whole curve.
@@ -79,12 +125,12 @@ pub struct Field {
 impl Forecast {
     /// F_a over F_l*, if there is a field value.
     pub(crate) fn force_over_lab(&self) -> Option<f64> {
-        self.field.map(|f| f.values.force / self.laboratory.force)
+        self.field.ok().map(|f| f.values.force / self.laboratory.force)
     }
 
     /// delta_a over delta_l*, if there is a field value.
     pub(crate) fn deflection_over_lab(&self) -> Option<f64> {
-        self.field.map(|f| f.values.deflection / self.laboratory.deflection)
+        self.field.ok().map(|f| f.values.deflection / self.laboratory.deflection)
     }
 
     /// Whether any size is outside its published range, so that the numbers are extrapolated.
@@ -175,16 +221,20 @@ pub fn forecast(
     mesh_warnings(mesh, &ratios, &mut warnings);
     range_warnings(layout, &mut warnings);
 
+    let opening = mesh.wire.as_ref().map(|wire| wire.net.opening);
     let field = if layout.punch_on_plate() {
         warnings.push(Warning::PunchOnPlate {
             distance: layout.distance_to_plate(),
             radius: layout.punch / 2.0,
         });
-        None
+        Err(NoField::PunchOnPlate)
+    } else if let Some(opening) = opening.filter(|opening| layout.punch < *opening) {
+        warnings.push(Warning::PassesThrough { block: layout.punch, opening });
+        Err(NoField::PassesThrough)
     } else {
-        Some(field_values(layout, reference, &eccentricity, rule))
+        Ok(field_values(layout, reference, &eccentricity, rule))
     };
-    if let Some(field) = &field {
+    if let Ok(field) = &field {
         field_warnings(layout, field, reference, &eccentricity, &mut warnings);
     }
     Ok(Forecast {
@@ -219,6 +269,11 @@ fn mesh_warnings(mesh: &MeshType, ratios: &Ratios, warnings: &mut Vec<Warning>) 
     }
     if ratios.default && !mesh.reference {
         warnings.push(Warning::DefaultRatios);
+    }
+    let Values { force, deflection } =
+        Values { force: mesh.laboratory.force, deflection: mesh.laboratory.deflection };
+    if !(PLAUSIBLE_FORCE.contains(&force) && PLAUSIBLE_DEFLECTION.contains(&deflection)) {
+        warnings.push(Warning::ImplausibleLaboratory { force, deflection });
     }
     let panel = mesh.laboratory.panel;
     if panel != STANDARD_PANEL {

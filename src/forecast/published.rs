@@ -244,7 +244,7 @@ pub fn validate() -> Validation {
 fn field_values(layout: &Layout) -> Values {
     forecast(layout, &catalogue::reference(), BranchRule::Published)
         .ok()
-        .and_then(|result| result.field)
+        .and_then(|result| result.field.ok())
         .map_or(Values { force: f64::NAN, deflection: f64::NAN }, |field| field.values)
 }
 

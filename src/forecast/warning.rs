@@ -1,6 +1,7 @@
 //! What a forecast has to say about itself: published ranges left, values assumed, places where the
 //! method is weak. The number is still given; the warning says how far to trust it.
 
+use super::NoField;
 use crate::remark::Weight;
 use crate::units::{LengthUnit, length_text, shortest, significant};
 
@@ -63,6 +64,20 @@ pub enum Warning {
         /// Radius of the punch, m.
         radius: f64,
     },
+    /// The block is smaller than the opening of the mesh.
+    PassesThrough {
+        /// Its diameter, m.
+        block: f64,
+        /// Distance between two twists, m.
+        opening: f64,
+    },
+    /// The laboratory record is far from what such tests give.
+    ImplausibleLaboratory {
+        /// Its force, N.
+        force: f64,
+        /// Its deflection, m.
+        deflection: f64,
+    },
     /// The layout is near the jump of A.1-A.2 at D = d.
     NearBranchChange {
         /// Force by the branch that was used, N.
@@ -118,7 +133,9 @@ impl Warning {
                 "D" => "extrapolated_D",
                 _ => "extrapolated_panel",
             },
-            Warning::PunchOnPlate { .. } => "punch_on_plate",
+            Warning::PunchOnPlate { .. } => NoField::PunchOnPlate.code(),
+            Warning::PassesThrough { .. } => NoField::PassesThrough.code(),
+            Warning::ImplausibleLaboratory { .. } => "implausible_laboratory",
             Warning::NearBranchChange { .. } => "near_branch_change",
             Warning::EccentricityUncertain { .. } => "eccentricity_uncertain",
             Warning::EccentricityWithoutData => "eccentricity_without_data",
@@ -133,7 +150,7 @@ impl Warning {
     /// How much it weighs.
     pub(crate) fn weight(&self) -> Weight {
         match self {
-            Warning::PunchOnPlate { .. } => Weight::Outside,
+            Warning::PunchOnPlate { .. } | Warning::PassesThrough { .. } => Weight::Outside,
             Warning::EccentricityFolded { .. }
             | Warning::PanelConverted { .. }
             | Warning::ReferencePoint { .. } => Weight::Note,
@@ -148,6 +165,12 @@ impl Warning {
                 format!("{} outside {}", range.symbol, range.text())
             }
             Warning::PunchOnPlate { .. } => "punch on an anchor plate".into(),
+            Warning::PassesThrough { .. } => "block below the mesh opening".into(),
+            Warning::ImplausibleLaboratory { force, deflection } => format!(
+                "laboratory {} kN, {}: units?",
+                significant(force / 1000.0, 3),
+                length_text(*deflection, LengthUnit::Metre)
+            ),
             Warning::NearBranchChange { other, .. } => {
                 format!("near D = d: other {} kN", significant(other / 1000.0, 3))
             }
@@ -179,6 +202,16 @@ impl Warning {
                 "the punch overlaps an anchor plate (its centre is {} from the plate, its radius is {}): outside the method, no field value",
                 m(*distance),
                 m(*radius)
+            ),
+            Warning::PassesThrough { block, opening } => format!(
+                "the block of {} is smaller than the opening of the mesh, {}: it passes through, no field value",
+                m(*block),
+                m(*opening)
+            ),
+            Warning::ImplausibleLaboratory { force, deflection } => format!(
+                "the laboratory record of {} kN at {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
+                kn(*force),
+                m(*deflection)
             ),
             Warning::NearBranchChange { used, other } => format!(
                 "near the branch change at D = d, where A.1 jumps: this branch gives {} kN, the other {} kN; choose `conservative` for the lower",

@@ -20,6 +20,8 @@ use crate::mesh::laws::scaled;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan};
+use crate::units::significant;
+use std::ops::RangeInclusive;
 
 /// A laboratory punch test to reproduce.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,6 +92,38 @@ pub(crate) fn law(start: &WireData, stress: f64, strain: f64) -> WireData {
         double_twist: scaled(&start.double_twist, strain, stress),
         ..start.clone()
     }
+}
+
+/// Strength of the steel wire of double-twist meshes, MPa: 350 to 550 by EN 10223-3; the public curve that
+/// the catalogue's law starts from reaches 566 on a slightly smaller area.
+const STEEL_STRENGTH: RangeInclusive<f64> = 350.0..=600.0;
+/// Its elongation at break: 8 % at least by the standard's way of testing, 35 % on the public curve.
+const STEEL_ELONGATION: RangeInclusive<f64> = 0.08..=0.35;
+
+/// How a law leaves what steel wire does, if it does: by the single wire, because a twist is a
+/// structure with a law of its own.
+pub(crate) fn unlike_steel(wire: &WireData) -> Option<String> {
+    let last = wire.single.last()?;
+    let (elongation, strength) = (last.0, last.1);
+    let mut said = Vec::new();
+    if !STEEL_ELONGATION.contains(&elongation) {
+        said.push(format!(
+            "breaks at {} % of strain, steel wire at 8 to 35 %",
+            significant(100.0 * elongation, 2)
+        ));
+    }
+    if !STEEL_STRENGTH.contains(&strength) {
+        said.push(format!(
+            "breaks at {} MPa, steel wire at 350 to 550 MPa",
+            significant(strength, 3)
+        ));
+    }
+    (!said.is_empty()).then(|| {
+        format!(
+            "the fitted single wire {}: check force, deflection, panel and units of the test; what is predicted from this law is not to be relied on",
+            said.join(" and ")
+        )
+    })
 }
 
 /// Scene of the laboratory test of `target` with these wires.
@@ -225,6 +259,19 @@ impl Newton {
 mod tests {
     use super::*;
     use crate::mesh::laws;
+
+    #[test]
+    fn a_law_that_no_steel_wire_follows_is_said() {
+        let start = laws::find("reference").unwrap();
+        assert_eq!(unlike_steel(&start), None);
+        // Strains of 86 % and of 0.6 %, as two implausible tests gave.
+        for (stress, strain, percent) in [(0.916, 6.16, "8"), (0.9, 0.03, "0.")] {
+            let said = unlike_steel(&law(&start, stress, strain)).unwrap();
+            assert!(said.contains("% of strain") && said.contains(percent), "{said}");
+        }
+        let said = unlike_steel(&law(&start, 2.0, 1.0)).unwrap();
+        assert!(said.contains("MPa") && !said.contains("% of strain"), "{said}");
+    }
 
     #[test]
     fn newton_finds_the_scales_of_a_made_up_mesh() {

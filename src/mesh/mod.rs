@@ -12,6 +12,7 @@ pub mod wire;
 
 use crate::problem::Problem;
 use crate::units::{self, shortest, to_kn};
+use crate::words::shown;
 use serde::{Deserialize, Serialize};
 
 /// Identifier of the reference mesh, the one the paper's relations were made with.
@@ -147,7 +148,7 @@ impl MeshType {
     /// Every field that is wrong, by its path inside the mesh (`laboratory.force`).
     pub(crate) fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Vec::new();
-        if self.id.trim().is_empty() || self.id.chars().any(char::is_whitespace) {
+        if self.id.trim().is_empty() || !self.id.chars().all(|c| shown(c) && !c.is_whitespace()) {
             problems.push(
                 Problem::new("id", "a mesh needs an identifier")
                     .value(format!("{:?}", self.id))
@@ -155,6 +156,14 @@ impl MeshType {
             );
         }
         let lab = &self.laboratory;
+        let ratios = self.ratios.as_ref().map(|r| ("ratios.source", &r.source));
+        let texts = [
+            ("name", &self.name),
+            ("laboratory.standard", &lab.standard),
+            ("laboratory.source", &lab.source),
+        ];
+        problems
+            .extend(texts.into_iter().chain(ratios).filter_map(|(f, t)| Problem::of_text(f, t)));
         let mut number = |field: &str, value: f64, shown: String, max: f64, range: &str| {
             if !(value.is_finite() && value > 0.0 && value <= max) {
                 problems.push(
@@ -189,6 +198,13 @@ impl MeshType {
                 shortest(r.deflection),
                 10.0,
                 "above 0, up to 10",
+            );
+        }
+        if lab.panel.is_finite() && lab.panel > 0.0 && lab.punch >= lab.panel {
+            problems.push(
+                Problem::new("laboratory.panel", "no punch fits into a panel of its own size")
+                    .value(m(lab.panel))
+                    .allowed(format!("above the punch of {}", m(lab.punch))),
             );
         }
         problems.extend(lab.punch_problem());

@@ -110,6 +110,7 @@ impl WireData {
         if let Slack::Fixed(t) = d.slack {
             range("distortion.slack", t, 0.0, 1.0, false, "");
         }
+        problems.extend(Problem::of_text("source", &self.source));
         for (name, points) in [("single", &self.single), ("double_twist", &self.double_twist)] {
             problems.extend(check_curve(points).map(|p| p.under(name)));
         }

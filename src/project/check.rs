@@ -6,6 +6,7 @@ use super::schema::{
 use crate::case::Input;
 use crate::mesh::catalogue;
 use crate::problem::Problem;
+use crate::words::shown;
 use std::collections::HashMap;
 
 /// Longest notes, in bytes.
@@ -146,7 +147,7 @@ pub(crate) fn check_name(field: &str, name: &str, needed: bool) -> Option<Proble
         "a name is needed"
     } else if name.chars().count() > LONGEST_NAME {
         "the name is too long"
-    } else if name.chars().any(char::is_control) {
+    } else if !name.chars().all(shown) {
         "the name has characters that cannot be shown"
     } else {
         return None;
@@ -160,19 +161,13 @@ pub(crate) fn check_name(field: &str, name: &str, needed: bool) -> Option<Proble
 }
 
 fn check_notes(field: &str, notes: &str) -> Option<Problem> {
-    let odd = |c: char| c.is_control() && !matches!(c, '\n' | '\r' | '\t');
     if notes.len() > LONGEST_NOTES {
         Some(
             Problem::new(field, "the text is too long")
                 .value(format!("{} bytes", notes.len()))
                 .allowed(format!("up to {LONGEST_NOTES} bytes")),
         )
-    } else if notes.chars().any(odd) {
-        Some(
-            Problem::new(field, "the text has characters that cannot be shown")
-                .allowed("letters, digits, signs, line feeds and tabs"),
-        )
     } else {
-        None
+        Problem::of_text(field, notes)
     }
 }

@@ -3,6 +3,7 @@
 use super::text::parser::SyntaxError;
 use super::text::{Node, Tree, line_column};
 use crate::problem::Problem;
+use crate::words::shown;
 use std::fmt;
 use std::path::Path;
 use unicode_width::UnicodeWidthChar;
@@ -209,9 +210,9 @@ fn middle_cut(text: &str) -> String {
     format!("{start}...{end}")
 }
 
-/// Breaks a text into lines of at most [`WIDEST`] columns, without control characters.
+/// Breaks a text into lines of at most [`WIDEST`] columns, without characters that cannot be shown.
 fn wrap(text: &str, indent: &str, lines: &mut Vec<String>) {
-    let clean: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let clean: String = text.chars().map(|c| if shown(c) { c } else { ' ' }).collect();
     let mut line = indent.to_string();
     let mut width = indent.len();
     let wide = |c: char| c.width().unwrap_or(0);

@@ -3,6 +3,7 @@
 
 use crate::case::Input;
 use crate::problem::Problem;
+use crate::words::shown;
 use strsim::levenshtein;
 
 /// Longest piece of a file that is shown in a message, in characters.
@@ -13,7 +14,7 @@ pub(crate) fn shorten(text: &str) -> String {
     let mut out = String::new();
     let mut blank = false;
     for c in text.chars() {
-        if c.is_whitespace() || c.is_control() {
+        if c.is_whitespace() || !shown(c) {
             blank = !out.is_empty();
             continue;
         }

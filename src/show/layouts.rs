@@ -48,7 +48,7 @@ pub(crate) struct LayoutParts<'a> {
 impl<'a> From<LayoutRow<'a>> for LayoutParts<'a> {
     fn from(row: LayoutRow<'a>) -> LayoutParts<'a> {
         let forecast = row.derived.map(|derived| &derived.forecast);
-        let field = forecast.and_then(|f| f.field);
+        let field = forecast.and_then(|f| f.field.ok());
         let answer = row.derived.and_then(|d| d.answer).filter(|_| row.question.asks());
         let values = field.map(|field| field.values);
         let warnings: &[Warning] = forecast.map_or(&[], |f| &f.warnings);

@@ -4,6 +4,7 @@ use super::effect;
 use super::glyphs::Glyphs;
 use super::picture::{Ink, Picture};
 use crate::case::{CaseValue, NoValue};
+use crate::forecast::NoField;
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
@@ -22,6 +23,8 @@ const APART: usize = 7;
 pub(crate) enum NoCell {
     /// The punch is on a plate.
     OnPlate,
+    /// The block is smaller than the opening of the mesh.
+    Through,
     /// The inputs make no sense together.
     Senseless,
     /// No run of the check broke a wire.
@@ -32,8 +35,9 @@ pub(crate) enum NoCell {
 
 impl NoCell {
     /// All of them with their signs and legends.
-    const ALL: [(NoCell, char, &str); 4] = [
+    const ALL: [(NoCell, char, &str); 5] = [
         (NoCell::OnPlate, 'P', "P punch on a plate"),
+        (NoCell::Through, 'T', "T block below the mesh opening"),
         (NoCell::Senseless, '?', "? makes no sense"),
         (NoCell::NoBreak, 'n', "n no break"),
         (NoCell::Impossible, 'X', "X cannot be checked"),
@@ -59,7 +63,8 @@ pub(crate) enum Cell {
 pub(crate) fn forecast(outcome: &CaseValue, shown: Effect) -> Cell {
     match outcome {
         Ok(point) => effect::read(point, shown).map_or(Cell::Empty, Cell::Value),
-        Err(NoValue::PunchOnPlate) => Cell::None(NoCell::OnPlate),
+        Err(NoValue::Outside(NoField::PunchOnPlate)) => Cell::None(NoCell::OnPlate),
+        Err(NoValue::Outside(NoField::PassesThrough)) => Cell::None(NoCell::Through),
         Err(NoValue::Senseless(_)) => Cell::None(NoCell::Senseless),
     }
 }

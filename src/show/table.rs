@@ -87,3 +87,54 @@ impl<'t, R: 't> Table<'t, R> {
         out
     }
 }
+
+/// A CSV for spreadsheets whose numbers have a decimal comma: semicolons between the fields, commas in
+/// the numbers, and a byte order mark, so that letters with marks are read right.
+pub(crate) fn with_decimal_comma(csv: &str) -> String {
+    let mut builder = csv::ReaderBuilder::new();
+    let mut lines = builder.has_headers(false).flexible(true).from_reader(csv.as_bytes());
+    let mut out = WriterBuilder::new()
+        .delimiter(b';')
+        .flexible(true)
+        .terminator(Terminator::Any(b'\n'))
+        .from_writer("\u{feff}".as_bytes().to_vec());
+    // What was written here can be read, and writing to memory cannot fail.
+    for line in lines.records().flatten() {
+        let _ = out.write_record(line.iter().map(comma));
+    }
+    let bytes = out.into_inner().unwrap_or_default();
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+/// A number with a decimal comma; anything else as it is.
+fn comma(field: &str) -> String {
+    let number = field.parse::<f64>().is_ok_and(f64::is_finite);
+    if number { field.replace('.', ",") } else { field.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spreadsheet_with_decimal_comma_reads_numbers_and_leaves_names() {
+        let plain = "layout,F_kN\n\"a, b\",24.01\nv1.2,-0.5\n\"x;y\",\n";
+        assert_eq!(
+            with_decimal_comma(plain),
+            "\u{feff}layout;F_kN\na, b;24,01\nv1.2;-0,5\n\"x;y\";\n"
+        );
+    }
+
+    #[test]
+    fn a_name_that_begins_like_a_formula_is_a_text_to_a_spreadsheet() {
+        let table = Table::<&str>::new()
+            .with("layout", |name| name.to_string().into())
+            .with("ex_m", |_| (-0.5).into());
+        let out = table.csv(["=1+1", "+41 cut", "-5 m bench", "@SUM(A1:A9)", "3-4"], " ");
+        let names: Vec<&str> = out.lines().skip(1).collect();
+        assert_eq!(
+            names,
+            ["'=1+1,-0.5", "'+41 cut,-0.5", "'-5 m bench,-0.5", "'@SUM(A1:A9),-0.5", "3-4,-0.5"]
+        );
+    }
+}

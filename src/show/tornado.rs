@@ -135,6 +135,7 @@ pub(crate) fn notes(s: &Sensitivity) -> Vec<(&'static str, &'static str)> {
     }
     for (code, text) in [
         ("punch_on_plate", "the step takes the punch onto an anchor plate: outside the method"),
+        ("passes_through", "the step makes the block smaller than the opening of the mesh"),
         ("senseless", "the step makes no sense: plate and punch must be smaller than the spacing"),
     ] {
         let why = |step: &Step| {

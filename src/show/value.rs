@@ -127,7 +127,7 @@ impl Value {
             Value::Exact(number) => number.to_string(),
             Value::Count(count) => count.to_string(),
             Value::Flag(flag) => flag.to_string(),
-            Value::Text(text) => text.to_string(),
+            Value::Text(text) => neutral(text),
             Value::Codes(codes) => codes.join(between),
             Value::Numbers(numbers) => {
                 let all: Vec<String> = numbers.iter().map(|v| Value::Number(*v).cell("")).collect();
@@ -135,6 +135,12 @@ impl Value {
             }
         }
     }
+}
+
+/// A text as a spreadsheet takes it for a text: one that begins like a formula gets an apostrophe.
+fn neutral(text: &str) -> String {
+    let formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    if formula { format!("'{text}") } else { text.to_string() }
 }
 
 /// A column of a result: its name with the unit, and what stands in it.

@@ -25,7 +25,7 @@ impl CompareRow {
     /// F_a and delta_a, or why there are none.
     pub(crate) fn values(&self) -> Result<Values, NoValue> {
         match &self.derived {
-            Ok(d) => d.forecast.field.map(|field| field.values).ok_or(NoValue::PunchOnPlate),
+            Ok(d) => d.forecast.field.map(|field| field.values).map_err(NoValue::Outside),
             Err(problems) => Err(NoValue::Senseless(problems.clone())),
         }
     }
@@ -68,7 +68,7 @@ impl CompareRow {
     /// What stands in a column; nothing where it has no value.
     fn number(&self, column: Column) -> Option<f64> {
         let forecast = self.forecast();
-        let values = || forecast?.field.map(|field| field.values);
+        let values = || forecast?.field.ok().map(|field| field.values);
         match column {
             Column::Name | Column::Mesh => None,
             Column::Size(input) => self.case.get(input),

@@ -51,6 +51,8 @@ pub(crate) enum NoForecast {
     Laboratory,
     /// A layout outside the method.
     Field,
+    /// The net of a file, of which no laboratory record is known.
+    OtherNet,
 }
 
 /// A remark on a check. Figures that a remark may lack are those that a kept check lacks, and those of
@@ -204,6 +206,7 @@ impl CheckRemark {
                 match why {
                     NoForecast::Laboratory => "Eqs. 1-2 hold for a centred punch of 1.0 m only",
                     NoForecast::Field => "the method has none for this layout",
+                    NoForecast::OtherNet => "the net is the file's, and the laboratory record another mesh's",
                 }
             ),
             CheckRemark::Stretch([x, y]) => format!(

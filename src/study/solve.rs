@@ -331,7 +331,7 @@ impl Search<'_> {
 
 fn kind(inside: &CasePoint, outside: &CaseValue) -> RequirementKind {
     match outside {
-        Err(NoValue::PunchOnPlate | NoValue::Senseless(_)) => RequirementKind::Edge,
+        Err(NoValue::Outside(_) | NoValue::Senseless(_)) => RequirementKind::Edge,
         Ok(outside) => {
             let (a, b) = (inside.values(), outside.values());
             let jump = |a: f64, b: f64| (a - b).abs() > JUMP * a.abs();
@@ -348,6 +348,7 @@ fn kind(inside: &CasePoint, outside: &CaseValue) -> RequirementKind {
 mod tests {
     use super::*;
     use crate::case::example as case;
+    use crate::forecast::NoField;
     use crate::layout::{Layout, REFERENCE};
 
     fn asked(layout: Layout, force: Option<f64>, deflection: Option<f64>) -> Case {
@@ -430,6 +431,9 @@ mod tests {
         let s = solved(&asked(at, Some(5_000.0), None), Input::Punch, Requirement::Force);
         let last = s.crossings.last().unwrap();
         assert_eq!((last.kind, last.met_above), (RequirementKind::Edge, false));
-        assert!((last.value - 1.0).abs() < 1e-9 && last.beyond == Err(NoValue::PunchOnPlate));
+        assert!(
+            (last.value - 1.0).abs() < 1e-9
+                && last.beyond == Err(NoValue::Outside(NoField::PunchOnPlate))
+        );
     }
 }

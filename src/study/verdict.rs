@@ -17,7 +17,7 @@
 
 use super::result::CheckResult;
 use crate::case::Case;
-use crate::forecast::{Field, Forecast};
+use crate::forecast::{Field, Forecast, NoField};
 use crate::remark::Weight;
 use crate::words::Choice;
 
@@ -338,15 +338,18 @@ pub fn verdict(
     simulated: Simulated,
     basis: Basis,
 ) -> Verdict {
-    let field = forecast.and_then(|f| f.field);
+    let field = forecast.and_then(|f| f.field.ok());
     let check = match simulated {
         Simulated::Current(result) if result.runs > 0 => Some(result),
         _ => None,
     };
     let panels: Vec<Panel> =
         field.map(Panel::Forecast).into_iter().chain(check.map(Panel::Check)).collect();
-    let why =
-        if forecast.is_none() { "the sizes make no sense" } else { "the block is on a plate" };
+    let why = match forecast.map(|f| f.field) {
+        None => "the sizes make no sense",
+        Some(Err(NoField::PassesThrough)) => "the block is smaller than the mesh opening",
+        Some(_) => "the block is on a plate",
+    };
     let strength = worst(basis, why, panels.iter().map(|p| strength(case, p, basis)));
     let deflection = worst(basis, why, panels.iter().map(|p| deflection(case, p)));
     let checks = [
@@ -483,7 +486,7 @@ fn remarks(case: &Case, forecast: Option<&Forecast>, simulated: Simulated) -> Ve
             if result.runs == 1 {
                 remarks.push(VerdictRemark::OneRun);
             }
-            if forecast.and_then(|f| f.field).is_some_and(|f| apart(&f, case, result)) {
+            if forecast.and_then(|f| f.field.ok()).is_some_and(|f| apart(&f, case, result)) {
                 remarks.push(VerdictRemark::Apart);
             }
         }

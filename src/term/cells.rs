@@ -3,6 +3,7 @@
 
 use super::pen::Pen;
 use crate::app::look::ColorMode;
+use crate::words::shown;
 use ratatui::buffer::{Buffer, Cell};
 use unicode_width::UnicodeWidthStr;
 
@@ -93,7 +94,7 @@ fn printable(cell: &Cell, room: usize, charset: Charset) -> (&str, u16) {
         [] => return (" ", 1),
         _ => {}
     }
-    if text.chars().any(char::is_control) {
+    if !text.chars().all(shown) {
         return ("?", 1);
     }
     if charset == Charset::Ascii && !text.is_ascii() {

@@ -4,7 +4,6 @@ use super::check;
 use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::case::NO_FIELD_VALUE;
 use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast};
 use crate::remark::Weight;
@@ -37,9 +36,9 @@ pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
         }
     };
     let (mut first, rest) = match &forecast.field {
-        Some(field) => field_lines(app, forecast, field, theme),
-        None => {
-            let lines = textwrap::wrap(NO_FIELD_VALUE, NARROWEST);
+        Ok(field) => field_lines(app, forecast, field, theme),
+        Err(why) => {
+            let lines = textwrap::wrap(why.sentence(), NARROWEST);
             (lines.iter().map(|line| (line.to_string(), theme.caution)).collect(), Vec::new())
         }
     };

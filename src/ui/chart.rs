@@ -7,7 +7,6 @@ use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::LayoutResult;
 use crate::axis::Axis;
-use crate::case::NoValue;
 use crate::curve::Point;
 use crate::forecast::{Values, rescaled};
 use crate::show::grid::{DotGrid, DotPen, Pattern};
@@ -74,7 +73,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         None => {
             let row = chart.plot.size().1 / 2;
-            let why = NoValue::PunchOnPlate.short();
+            let why =
+                app.result().forecast().and_then(|f| f.field.err()).map_or("", |why| why.short());
             chart.plot.text(row, 1, &format!("no value: {why}"), Ink::Caution);
         }
     }
@@ -88,7 +88,7 @@ fn end(values: &Values) -> Point {
 
 /// F_a and delta_a of a layout's results.
 fn field_values(result: &LayoutResult) -> Option<Values> {
-    result.forecast().and_then(|f| f.field).map(|f| f.values)
+    result.forecast().and_then(|f| f.field.ok()).map(|f| f.values)
 }
 
 /// The overlaid layouts but for the selected one, which is drawn anyway.

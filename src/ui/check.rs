@@ -102,7 +102,7 @@ fn figures(app: &App, shown: &ShownCheck) -> String {
 
 /// Difference of the check from the forecast, %, of the inputs as they are.
 fn difference(app: &App, shown: &ShownCheck) -> Option<(f64, f64)> {
-    let field = app.result().forecast()?.field?;
+    let field = app.result().forecast()?.field.ok()?;
     let (result, values) = (shown.result, field.values);
     (result.broke() && !shown.stale()).then(|| {
         let part = |check: f64, forecast: f64| 100.0 * (check / forecast - 1.0);

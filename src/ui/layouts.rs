@@ -5,6 +5,7 @@ use super::text::{below, cut, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::LayoutResult;
+use crate::forecast::NoField;
 use crate::remark::Weight;
 use crate::units::{significant, to_kn};
 use ratatui::buffer::Buffer;
@@ -50,8 +51,9 @@ fn force(result: &LayoutResult) -> (String, &'static str) {
         forecast.warnings.iter().map(super::super::forecast::warning::Warning::weight).max();
     let mark = if weight >= Some(Weight::Caution) { "!" } else { " " };
     let value = match &forecast.field {
-        Some(field) => significant(to_kn(field.values.force), 3),
-        None => "plate".into(),
+        Ok(field) => significant(to_kn(field.values.force), 3),
+        Err(NoField::PunchOnPlate) => "plate".into(),
+        Err(why) => why.short().into(),
     };
     (value, mark)
 }

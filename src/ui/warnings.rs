@@ -33,7 +33,7 @@ pub(crate) const TABLE: u16 = 48;
 pub(crate) fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "along the curve", "", theme);
     let list = below(area, 1);
-    let Some(field) = app.result().forecast().and_then(|f| f.field) else { return };
+    let Some(field) = app.result().forecast().and_then(|f| f.field.ok()) else { return };
     let header = "delta      F kN    tangent     secant  energy";
     put(buf, list, 0, 1, header, theme.heading);
     put(buf, list, 1, 1, "                       kN/m       kN/m      kJ", theme.heading);

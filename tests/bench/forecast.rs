@@ -22,7 +22,7 @@ fn single(c: &mut Criterion) {
             b.iter(|| {
                 let result = run(&layout);
                 let curve =
-                    result.as_ref().ok().and_then(|f| f.field).map(|f| f.curve(CURVE_POINTS));
+                    result.as_ref().ok().and_then(|f| f.field.ok()).map(|f| f.curve(CURVE_POINTS));
                 (result, curve)
             });
         });
@@ -42,7 +42,7 @@ fn sweep(mesh: &MeshType) -> (usize, f64) {
             ex: spacing * (part(401) - 0.5),
             ey: spacing * (part(733) - 0.5),
         };
-        if let Ok(Some(field)) =
+        if let Ok(Ok(field)) =
             forecast(&layout, mesh, BranchRule::Published).map(|result| result.field)
         {
             with_value += 1;

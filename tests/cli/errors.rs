@@ -13,12 +13,12 @@ fn says(arguments: &[&str], words: &[&str]) {
 #[test]
 fn a_wrong_value_is_said_with_flag_value_unit_range_and_advice() {
     says(&["forecast", "-d", "2,7"], &["'2,7'", "-d", "write the decimal point as a point: 2.7"]);
-    says(&["forecast", "-L", "3 kN"], &["'3 kN'", "-L", "\"kN\"", "use m, cm or mm"]);
+    says(&["forecast", "-L", "3 kN"], &["'3 kN'", "-L", "\"kN\"", "use m, cm, mm, ft or in"]);
     says(&["forecast", "-D", "wide"], &["'wide'", "-D", "is not a number", "250mm"]);
     says(&["forecast", "--ex", "NaN"], &["'NaN'", "--ex", "-L/2 to L/2"]);
     says(&["forecast", "-L", "1e999"], &["1e999", "not a finite number", "below 100 m"]);
     says(&["forecast", "-d", ""], &["-d", "a number is needed"]);
-    says(&["forecast", "--force", "25 mm"], &["--force", "use kN, N or MN"]);
+    says(&["forecast", "--force", "25 mm"], &["--force", "use kN, N, MN, t, kip or lbf"]);
     says(&["forecast", "--gamma-load", "1.5 m"], &["--gamma-load", "no unit"]);
     // A flag that swallowed the next one says so by quoting it.
     says(&["forecast", "--ex", "--format"], &["'--format'", "--ex"]);

@@ -262,7 +262,7 @@ fn runs_without_a_break_are_told_apart() {
     fits(&text);
     assert!(text.lines().any(|l| l.contains("0.05") && l.contains("no break")), "{text}");
     let csv = went(&[&all[..], &["--format=csv"]].concat());
-    assert!(csv.lines().nth(1).unwrap().contains(",extrapolated_D,,,,"), "{csv}");
+    assert!(csv.lines().nth(1).unwrap().contains(",passes_through,,,,,"), "{csv}");
 }
 
 /// Ctrl+C ends with the checks that are done: valid JSON, exit code 130.

@@ -87,7 +87,7 @@ fn numbers(f: &Forecast) -> Vec<f64> {
         e.force_sd,
         e.deflection_sd,
     ];
-    if let Some(field) = &f.field {
+    if let Ok(field) = &f.field {
         let end = field.values.deflection;
         all.extend([field.values.force, end, field.tangent_at(end), field.secant_at(end)]);
         all.extend([field.energy_to(end), field.tangent_at(0.0)]);

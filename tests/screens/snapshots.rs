@@ -40,7 +40,7 @@ fn other_screens() {
         ("details", "<PgUp>i"),
         ("mesh_picker", "m"),
         ("typing_a_value", "<Down>2.7"),
-        ("refused_value", "<Down>2,7<Enter>"),
+        ("refused_value", "<Down>2,750<Enter>"),
         ("refused_range", "12m<Enter>"),
         ("command_line", ":units mm"),
         ("refused_command", ":nonsense<Enter>"),

@@ -68,7 +68,7 @@ impl Editor {
 
     /// Where an optional input starts: three quarters of what the panel takes, rounded to a step.
     fn first_value(&self, field: Input) -> f64 {
-        let Some(panel) = self.result().forecast().and_then(|f| f.field) else {
+        let Some(panel) = self.result().forecast().and_then(|f| f.field.ok()) else {
             return field.step(StepSize::Coarse);
         };
         let whole = match field {

@@ -78,7 +78,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
             e.force, e.force_sd, e.deflection, e.deflection_sd
         ),
     );
-    let Some(field) = forecast.field else { return };
+    let Ok(field) = forecast.field else { return };
     page.row("F_a, delta_a (step 2)", &pair(field.values, unit));
     page.row(
         "branch of A.1-A.2",

@@ -14,7 +14,7 @@ use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
 use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
-use crate::units::{LengthUnit, Quantity, length_entry, parse, shortest, to_kn};
+use crate::units::{LengthUnit, Quantity, length_entry, parse_typed, shortest, to_kn};
 use std::collections::HashMap;
 
 /// Values of the first input where nobody says otherwise.
@@ -369,5 +369,5 @@ fn next_input(input: Input, up: bool, taken: Option<Input>) -> Input {
 /// Reads a typed value of an input, SI.
 fn read(input: Input, text: &str, unit: LengthUnit) -> Result<f64, String> {
     let quantity = if input.is_force() { Quantity::Force } else { Quantity::Length };
-    parse(text, quantity, unit).map_err(|e| e.to_string())
+    parse_typed(text, quantity, unit).map_err(|e| e.to_string())
 }

@@ -2,13 +2,13 @@
 
 use crate::cli::case::Geometry;
 use crate::cli::choice::one_of;
-use crate::cli::output::Fault;
+use crate::cli::output::{Fault, TableFormat};
 use crate::cli::quantity;
 use crate::dem::fast::Path as Instructions;
 use crate::dem::{Controls, Fidelity, Test};
 use crate::study::ensemble::Plan;
 use crate::words::Choice;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -85,19 +85,8 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "SET", hide = true, value_parser = Instructions::WORDS)]
     instructions: Option<String>,
     /// How the result is written: JSON in SI with kN; CSV holds the curves.
-    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
-    pub(super) format: CheckFormat,
-}
-
-/// How a check is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum CheckFormat {
-    /// A text for people.
-    Text,
-    /// JSON, SI with kN.
-    Json,
-    /// The curves, with a header line.
-    Csv,
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
 }
 
 /// Alignment of the runs.

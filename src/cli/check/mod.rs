@@ -15,7 +15,7 @@ pub(crate) use flags::CheckArgs;
 pub(super) use flags::{runs, threads};
 
 use super::case::Inputs;
-use super::output::{CommandEnd, Fault, Output, say};
+use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, say};
 use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
@@ -29,7 +29,7 @@ use crate::project;
 use crate::study::ensemble::{self, Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
-use flags::CheckFormat;
+use std::sync::Arc;
 
 /// One case with its check.
 #[derive(Debug)]
@@ -70,6 +70,8 @@ struct Forecast {
     values: Option<Values>,
     /// The whole curve, of the anchored test.
     field: Option<Field>,
+    /// Whether there is none because the wires are of another net than the mesh.
+    other_net: bool,
 }
 
 /// A case ready to be run, with what it will be run as.
@@ -117,9 +119,11 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     notes.iter().for_each(|note| say("note", note));
     let (checked, interrupted) = check_all(ready)?;
     let result = match args.format {
-        CheckFormat::Text => text::report(&checked, unit.unwrap_or_default()),
-        CheckFormat::Json => json::report(&checked, several)?,
-        CheckFormat::Csv => csv::report(&checked, several),
+        TableFormat::Text => text::report(&checked, unit.unwrap_or_default()),
+        TableFormat::Json => json::report(&checked, several)?,
+        TableFormat::Csv | TableFormat::CsvComma => {
+            csv_as(args.format, csv::report(&checked, several))
+        }
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }
@@ -129,8 +133,9 @@ fn prepare(
     args: &CheckArgs,
     inputs: &Inputs,
     wires: &Wires,
-    NamedCase { name, case }: NamedCase,
+    NamedCase { name, mut case }: NamedCase,
 ) -> Result<Ready, Fault> {
+    let other_net = wires.other_net(&case.mesh);
     let plan = args.plan();
     let spec = SceneSpec {
         layout: case.layout,
@@ -147,7 +152,12 @@ fn prepare(
     };
     let scene = Scene::new(&spec).map_err(placed)?;
     controls.scheme(&scene).map_err(placed)?;
-    let forecast = forecast_of(&case, args.test)?;
+    let mut forecast = forecast_of(&case, args.test)?;
+    if let Some(mesh) = other_net {
+        // The laboratory record is the other mesh's, and so would the forecast be.
+        forecast = Forecast { other_net: true, ..Forecast::default() };
+        case.mesh = Arc::new(mesh);
+    }
     let stretch = scene.lattice.stretch;
     Ok(Ready { name, case, spec, controls, plan, stretch, forecast })
 }
@@ -157,11 +167,14 @@ fn prepare(
 fn forecast_of(case: &Case, test: Test) -> Result<Forecast, Fault> {
     let (layout, f) = (&case.layout, case.forecast()?);
     Ok(match test {
-        Test::Anchored => Forecast { values: f.field.map(|field| field.values), field: f.field },
+        Test::Anchored => {
+            let field = f.field.ok();
+            Forecast { values: field.map(|field| field.values), field, other_net: false }
+        }
         Test::Laboratory => {
             let covered = layout.punch == STANDARD_PUNCH && (layout.ex, layout.ey) == (0.0, 0.0);
             let values = covered.then(|| laboratory::to_panel(f.laboratory, layout.spacing));
-            Forecast { values, field: None }
+            Forecast { values, field: None, other_net: false }
         }
     })
 }

@@ -12,6 +12,7 @@ pub(super) fn of(c: &Checked) -> Vec<CheckRemark> {
     let mut list = c.ensemble.remarks(c.fidelity, c.plan.phase.is_some());
     if c.forecast.values.is_none() {
         list.push(CheckRemark::NoForecast(match c.spec.test {
+            _ if c.forecast.other_net => NoForecast::OtherNet,
             Test::Laboratory => NoForecast::Laboratory,
             Test::Anchored => NoForecast::Field,
         }));

@@ -12,7 +12,7 @@ use super::UiFlags;
 use super::case::Inputs;
 use super::choice::one_of;
 use super::dem::{DemFlags, Job};
-use super::output::{CommandEnd, Output, TableFormat};
+use super::output::{CommandEnd, Output, TableFormat, csv_as};
 use super::verdict::VerdictFlags;
 use crate::remark::Weight;
 use crate::study::checks::CheckAnswer;
@@ -94,7 +94,9 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let result = match args.format {
         TableFormat::Text => text::report(&compared, &order, loaded.unit),
         TableFormat::Json => json::report(&compared, &order)?,
-        TableFormat::Csv => csv::report(&compared, &order),
+        TableFormat::Csv | TableFormat::CsvComma => {
+            csv_as(args.format, csv::report(&compared, &order))
+        }
     };
     let verdict = args.verdict.code(compared.verdicts.iter());
     Ok(Output { result, verdict, interrupted, ..Output::default() })

@@ -10,7 +10,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::choice::one_of;
-use super::output::{CommandEnd, Fault, TableFormat, result};
+use super::output::{CommandEnd, Fault, TableFormat, csv_as, result};
 use crate::case::{self, Case, Input};
 use crate::study::solve::{Crossing, Requirement, Solution, solve};
 use clap::Args;
@@ -73,6 +73,8 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
     match args.format {
         TableFormat::Text => result(text::report(&solved, loaded.unit)),
         TableFormat::Json => result(json::report(&solved, loaded.several)?),
-        TableFormat::Csv => result(csv::report(&solved, loaded.several)),
+        TableFormat::Csv | TableFormat::CsvComma => {
+            result(csv_as(args.format, csv::report(&solved, loaded.several)))
+        }
     }
 }

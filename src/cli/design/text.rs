@@ -1,8 +1,9 @@
 //! Design solutions as sentences.
 
 use super::Solved;
-use crate::case::CaseValue;
+use crate::case::{CaseValue, NoValue};
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
+use crate::forecast::NoField;
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
 use crate::show::say;
@@ -140,8 +141,11 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
 fn outcome(page: &Page, o: &CaseValue) -> String {
     match o {
         Ok(p) => say::point_at_load(p, page.unit, AT_LOAD),
-        Err(why) if why.code() == "punch_on_plate" => "the punch is on a plate".to_string(),
-        Err(_) => "plate or punch is as large as the spacing".to_string(),
+        Err(NoValue::Outside(NoField::PunchOnPlate)) => "the punch is on a plate".to_string(),
+        Err(NoValue::Outside(NoField::PassesThrough)) => {
+            "the block is smaller than the opening of the mesh".to_string()
+        }
+        Err(NoValue::Senseless(_)) => "plate or punch is as large as the spacing".to_string(),
     }
 }
 

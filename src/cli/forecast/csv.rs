@@ -11,10 +11,10 @@ use crate::remark::Weight;
 pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
     let with_curve = answered.iter().filter_map(|a| {
         let name = a.name.as_deref().unwrap_or_default();
-        Some((name, a.forecast.field?.curve(CURVE_POINTS)))
+        Some((name, a.forecast.field.ok()?.curve(CURVE_POINTS)))
     });
     let result = curves(with_curve, several);
-    let notes = answered.iter().filter(|a| a.forecast.field.is_none()).map(no_curve).collect();
+    let notes = answered.iter().filter(|a| a.forecast.field.is_err()).map(no_curve).collect();
     Output { result, notes, ..Output::default() }
 }
 

@@ -17,20 +17,20 @@ pub(crate) fn report(answered: &[Answered], several: bool) -> Result<String, Fau
 
 fn one(a: &Answered) -> Object {
     let f = &a.forecast;
-    let other = f.field.and_then(|field| {
+    let other = f.field.ok().and_then(|field| {
         let relation = field.branch.other().word();
         Some(values(field.other_branch?).with("relation", relation))
     });
     head(a.name.as_deref(), a.case.fingerprint(), inputs(&a.case))
         .with("lab", laboratory(a))
         .with("field_reference", values(f.reference))
-        .with("field", f.field.map(|of| field(f, &of)))
+        .with("field", f.field.ok().map(|of| field(f, &of)))
         .with("other_branch", other)
         .with("eccentricity", eccentricity(f))
         .with("ratios", ratios(f))
         .with("design", a.design.map(|answer| design(&answer, &a.case.asked())))
         .maybe("verdict", a.case.question.asks().then(|| verdict::object(&a.case, &a.verdict)))
-        .with("curve", f.field.map(|field| curve(&field.curve(CURVE_POINTS))))
+        .with("curve", f.field.ok().map(|field| curve(&field.curve(CURVE_POINTS))))
         .with("warnings", warnings(&f.warnings))
         .with("basis", BASIS)
 }

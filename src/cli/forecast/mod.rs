@@ -8,7 +8,7 @@ mod text;
 
 use super::UiFlags;
 use super::case::Source;
-use super::output::{CommandEnd, Fault, Output, TableFormat, result};
+use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, result};
 use super::page::BASIS;
 use super::verdict::VerdictFlags;
 use crate::case::{Case, Derived, NamedCase};
@@ -50,7 +50,10 @@ pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     let output = match args.format {
         TableFormat::Text => result(text::report(&answered, loaded.unit))?,
         TableFormat::Json => result(json::report(&answered, loaded.several)?)?,
-        TableFormat::Csv => csv::report(&answered, loaded.several),
+        TableFormat::Csv | TableFormat::CsvComma => {
+            let output = csv::report(&answered, loaded.several);
+            Output { result: csv_as(args.format, output.result), ..output }
+        }
     };
     let verdict = args.verdict.code(answered.iter().map(|a| &a.verdict));
     Ok(Output { verdict, ..output })

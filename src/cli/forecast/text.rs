@@ -1,7 +1,6 @@
 //! A forecast as a text for people: at most 24 lines of 80 columns a layout.
 
 use super::Answered;
-use crate::case::NO_FIELD_VALUE;
 use crate::cli::output::wrapped;
 use crate::cli::page::{BASIS, MARGIN, Page, WIDTH};
 use crate::forecast::Field;
@@ -27,7 +26,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
     page.inputs("forecast", a.name.as_deref(), a.case.fingerprint(), &a.case);
     laboratory(&mut page, a);
     match &a.forecast.field {
-        Some(field) => {
+        Ok(field) => {
             values(&mut page, a, field);
             eccentricity(&mut page, a);
             curve(&mut page, field);
@@ -42,7 +41,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 page.design(answer, &a.case.asked());
             }
         }
-        None => page.line("field", NO_FIELD_VALUE),
+        Err(why) => page.line("field", why.sentence()),
     }
     if a.case.question.asks() {
         page.verdict(&a.case, &a.verdict);

@@ -6,7 +6,7 @@ use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::{VERSION, quantity, wire};
 use crate::dem::{Controls, Fidelity};
-use crate::lab::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit};
+use crate::lab::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit, unlike_steel};
 use crate::lab::paper::ANCHORED;
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
@@ -124,7 +124,7 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
             json(&ResultJson { object: object(&result), wire: &result.fit.wire })? + "\n"
         }
     };
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = unlike_steel(&result.fit.wire).into_iter().collect();
     if !result.fit.found {
         notes
             .push("the fit did not come within 0.3 % of the test; the nearest law is given".into());
@@ -303,6 +303,9 @@ fn text(r: &Result) -> String {
     line("single wire", curve(&r.fit.wire.single));
     line("double twist", curve(&r.fit.wire.double_twist));
     line("source", r.fit.wire.source.clone());
+    if let Some(said) = unlike_steel(&r.fit.wire) {
+        line("caution", said);
+    }
     if let Some(path) = &a.out {
         line("written", path.display().to_string());
     }
@@ -346,4 +349,5 @@ fn object(r: &Result) -> Object {
         .with("anchored_reference", both(&r.anchored, |s| s.mean))
         .with("anchored_reference_standard_error", both(&r.anchored, |s| s.error))
         .with("anchored_reference_runs", r.anchored.runs.len())
+        .with("caution", unlike_steel(&r.fit.wire))
 }

@@ -11,7 +11,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{CommandEnd, Output, TableFormat};
+use super::output::{CommandEnd, Output, TableFormat, csv_as};
 use crate::case::{Case, Input};
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Sensitivity, sensitivity};
@@ -69,7 +69,9 @@ pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
     let result = match args.format {
         TableFormat::Text => text::report(&studied, wanted.as_ref(), loaded.unit),
         TableFormat::Json => json::report(&studied, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv => csv::report(&studied, wanted.is_some(), loaded.several),
+        TableFormat::Csv | TableFormat::CsvComma => {
+            csv_as(args.format, csv::report(&studied, wanted.is_some(), loaded.several))
+        }
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

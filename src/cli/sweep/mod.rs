@@ -14,7 +14,7 @@ use super::UiFlags;
 use super::case::Source;
 use super::choice::one_of;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{CommandEnd, Fault, Output, TableFormat};
+use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as};
 use crate::case::{Case, Input};
 use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
@@ -162,7 +162,9 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
     let result = match args.format {
         TableFormat::Text => text::report(&swept, wanted.as_ref(), loaded.unit),
         TableFormat::Json => json::report(&swept, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv => csv::report(&swept, &grid, wanted.is_some(), loaded.several),
+        TableFormat::Csv | TableFormat::CsvComma => {
+            csv_as(args.format, csv::report(&swept, &grid, wanted.is_some(), loaded.several))
+        }
     };
     Ok(Output { result, interrupted, ..Output::default() })
 }

@@ -92,11 +92,11 @@ fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
     let nothing = || Words::from("-");
     let part = |value: Option<f64>| value.map_or_else(nothing, |v| format!("{v:.3}").into());
     let (force, deflection) = match &forecast.field {
-        Some(field) => (
+        Ok(field) => (
             strong(force_text(field.values.force)),
             strong(length_text(field.values.deflection, unit)),
         ),
-        None => ("no value".into(), nothing()),
+        Err(_) => ("no value".into(), nothing()),
     };
     let used = case.design().and_then(|d| d.at_force).map_or_else(nothing, |at| {
         let percent = format!("{:.0} %", at.utilisation * 100.0);

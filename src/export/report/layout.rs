@@ -35,7 +35,7 @@ pub(crate) fn layout(
         Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
     ]));
     steps(case, unit, document);
-    if let Some(field) = &case.forecast().field {
+    if let Ok(field) = &case.forecast().field {
         points(field, unit, document);
     }
     design(case, unit, document);
@@ -97,7 +97,7 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
     row(ours("ratios {alpha_F}, {alpha_delta}"), four(r.force), four(r.deflection));
     let (f, d) = pair(forecast.reference);
     row(ours("field reference {F_a*}, {delta_a*} (step 1)"), f, d);
-    if let Some(values) = &forecast.field {
+    if let Ok(values) = &forecast.field {
         let branch = values.branch;
         let words = format!(
             "relations A.1, A.2 for a {}, over the reference",
@@ -218,7 +218,7 @@ fn checked(case: &ExportedLayout, check: &Check, unit: LengthUnit, document: &mu
     document.quote(strong(sentence(&check.title())));
     let mut items = Vec::new();
     if let Some(end) = check.mean.failure {
-        let difference = case.forecast().field.map_or(String::new(), |field| {
+        let difference = case.forecast().field.ok().map_or(String::new(), |field| {
             let percent =
                 |ours: f64, theirs: f64| format!("{:+.0} %", (ours / theirs - 1.0) * 100.0);
             format!(

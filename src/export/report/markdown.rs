@@ -3,6 +3,7 @@
 
 use super::document::{Block, ReportDocument, TextSpan, Words};
 use crate::export::escape::markdown;
+use crate::words::shown;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
@@ -104,7 +105,7 @@ fn line(words: &Words, start: bool) -> String {
 }
 
 fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    text.chars().map(|c| if shown(c) { c } else { ' ' }).collect()
 }
 
 /// Length of the longest run of a letter.

@@ -5,7 +5,6 @@ use super::frame::ChartPlane;
 use super::labels::Labels;
 use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
-use crate::case::NO_FIELD_VALUE;
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
 use crate::forecast::{Values, rescaled};
@@ -290,7 +289,7 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
     let case = series.case;
     let forecast = &case.forecast();
     match &forecast.field {
-        Some(field) => {
+        Ok(field) => {
             let mark = if forecast.extrapolated() { ", extrapolated" } else { "" };
             let words = format!("forecast: failure at {}{mark}", pair(field.values, unit));
             let curve = field.curve(POINTS);
@@ -305,8 +304,8 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
                 content.line(&curve, marks::OTHER, Mark::Square, "other branch", words);
             }
         }
-        None => {
-            let remark = NO_FIELD_VALUE;
+        Err(why) => {
+            let remark = why.sentence();
             content.remark = Some(remark);
             content.words("", format!("forecast: {remark}"));
         }
@@ -373,12 +372,12 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
         let tag = (index + 1).to_string();
         let name = &series.case.entry.name;
         match &series.case.forecast().field {
-            Some(field) => {
+            Ok(field) => {
                 let far = if series.case.forecast().extrapolated() { ", extrapolated" } else { "" };
                 let words = format!("{name}: {}{far}", at_failure(field.values, unit));
                 content.line(&field.curve(POINTS), stroke, mark, &tag, words);
             }
-            None => content.words(&tag, format!("{name}: {NO_FIELD_VALUE}")),
+            Err(why) => content.words(&tag, format!("{name}: {}", why.sentence())),
         }
         if let Some(check) = series.check {
             content.check(check, Stroke { width: 1.2, ..marks::CHECK }, &tag, unit);

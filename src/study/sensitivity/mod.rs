@@ -180,6 +180,7 @@ fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
 mod tests {
     use super::*;
     use crate::case::{NoValue, example as case};
+    use crate::forecast::NoField;
     use crate::layout::{Layout, REFERENCE};
 
     fn bar(s: &Sensitivity, input: Input) -> &Bar {
@@ -237,7 +238,10 @@ mod tests {
         // Punch 0.55 m from the plate's edge in x, D/2 = 0.5: a step of 0.15 m runs onto the plate.
         let s = sensitivity(&case(Layout { ex: 0.79, ey: 1.5, ..REFERENCE }, None));
         let raised = &bar(&s, Input::OffsetX).raised;
-        assert_eq!((&raised.outcome, raised.change), (&Err(NoValue::PunchOnPlate), None));
+        assert_eq!(
+            (&raised.outcome, raised.change),
+            (&Err(NoValue::Outside(NoField::PunchOnPlate)), None)
+        );
         assert!(bar(&s, Input::OffsetX).lowered.change.is_some());
         // D = 0.95 L: 10 % more is beyond L, and L less is below D.
         let s = sensitivity(&case(

@@ -18,6 +18,7 @@ mod sequence;
 mod tests;
 
 use crate::app::key::{Code, Key};
+use crate::words::shown;
 use std::time::Duration;
 
 /// Silence after which ESC was the Escape key: longer than a byte takes at 300 baud and than the pause
@@ -183,7 +184,7 @@ impl Decoder {
         if self.held.len() == length {
             self.state = State::Ground;
             let text = str::from_utf8(&self.held).unwrap_or_default();
-            let printable = text.chars().filter(|c| !c.is_control());
+            let printable = text.chars().filter(|c| shown(*c));
             out.extend(printable.map(|c| Typed::Key(Key::char(c))));
         }
     }

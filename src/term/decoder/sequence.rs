@@ -1,6 +1,7 @@
 //! Which key a whole sequence is: xterm and its like, PuTTY, rxvt, screen, tmux, the Linux console.
 
 use crate::app::key::{Code, Key};
+use crate::words::in_text;
 
 /// The key of a byte that stands for itself.
 pub(super) fn plain(byte: u8) -> Option<Key> {
@@ -22,11 +23,7 @@ pub(super) fn plain(byte: u8) -> Option<Key> {
 /// Whether a pasted character is kept: line ends, tabs, and what is printed and does not turn the
 /// direction of the text around it.
 pub(super) fn may_be_pasted(c: char) -> bool {
-    match c {
-        '\n' | '\r' | '\t' => true,
-        '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => false,
-        c => !c.is_control(),
-    }
+    in_text(c)
 }
 
 /// The parameters of a sequence: each number with the one after a colon.

@@ -5,6 +5,8 @@
 //! a bare number in a file or on the command line is metres or kilonewtons, on the screen it is in
 //! the unit the screen shows.
 
+mod thousands;
+
 use crate::words::Choice;
 use std::fmt;
 
@@ -91,9 +93,16 @@ const UNITS: &[(&str, Quantity, Scale)] = &[
     ("mm", Quantity::Length, Scale::Over(1000.0)),
     ("cm", Quantity::Length, Scale::Over(100.0)),
     ("m", Quantity::Length, Scale::Times(1.0)),
+    ("ft", Quantity::Length, Scale::Times(0.3048)),
+    ("in", Quantity::Length, Scale::Times(0.0254)),
     ("kN", Quantity::Force, Scale::Times(1000.0)),
     ("MN", Quantity::Force, Scale::Times(1.0e6)),
     ("N", Quantity::Force, Scale::Times(1.0)),
+    // The tonne as a force, by the standard gravity of 9.80665 m/s2; pound and kip are 0.45359237 kg
+    // and a thousand times that under it.
+    ("t", Quantity::Force, Scale::Times(9806.65)),
+    ("kip", Quantity::Force, Scale::Times(4_448.221_615_260_5)),
+    ("lbf", Quantity::Force, Scale::Times(4.448_221_615_260_5)),
     ("kN/m2", Quantity::Pressure, Scale::Times(1000.0)),
     ("kPa", Quantity::Pressure, Scale::Times(1000.0)),
     ("Pa", Quantity::Pressure, Scale::Times(1.0)),
@@ -112,6 +121,13 @@ pub enum QuantityError {
     Empty,
     /// A comma stands where a decimal point belongs.
     DecimalComma(String),
+    /// Thousands are set off.
+    Thousands {
+        /// The number without that.
+        plain: String,
+        /// The other reading, where the sign may be a decimal comma.
+        or_decimal: Option<String>,
+    },
     /// The number part is no number.
     NotANumber(String),
     /// The number is infinite or not a number.
@@ -131,6 +147,12 @@ impl fmt::Display for QuantityError {
             QuantityError::Empty => write!(f, "a number is needed"),
             QuantityError::DecimalComma(fixed) => {
                 write!(f, "write the decimal point as a point: {fixed}")
+            }
+            QuantityError::Thousands { plain, or_decimal: None } => {
+                write!(f, "write thousands without a sign between them: {plain}")
+            }
+            QuantityError::Thousands { plain, or_decimal: Some(decimal) } => {
+                write!(f, "this can be {plain} or {decimal}: write the one that is meant")
             }
             QuantityError::NotANumber(text) => write!(f, "{text:?} is not a number"),
             QuantityError::NotFinite(text) => write!(f, "{text:?} is not a finite number"),
@@ -157,6 +179,14 @@ pub fn parse(
     let text = text.trim();
     if text.is_empty() {
         return Err(QuantityError::Empty);
+    }
+    if let Some(grouped) = thousands::read(text) {
+        let unit =
+            if grouped.unit.is_empty() { String::new() } else { format!(" {}", grouped.unit) };
+        return Err(QuantityError::Thousands {
+            plain: format!("{}{unit}", grouped.plain),
+            or_decimal: grouped.or_decimal,
+        });
     }
     let (number, unit) = split_unit(text);
     if number.is_empty() {
@@ -189,6 +219,22 @@ pub fn parse(
     if si.is_finite() { Ok(si) } else { Err(QuantityError::NotFinite(number.to_string())) }
 }
 
+/// The same of what is typed at the terminal, where a comma can only be a decimal one; with three digits
+/// behind it may set off thousands, and is asked about.
+///
+/// # Errors
+/// As [`parse`].
+pub(crate) fn parse_typed(
+    text: &str,
+    quantity: Quantity,
+    length_unit: LengthUnit,
+) -> Result<f64, QuantityError> {
+    match parse(text, quantity, length_unit) {
+        Err(QuantityError::DecimalComma(fixed)) => parse(&fixed, quantity, length_unit),
+        other => other,
+    }
+}
+
 /// Splits `250 mm` into `250` and `mm`; an exponent (`1e3`) belongs to the number.
 fn split_unit(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
@@ -217,8 +263,8 @@ fn find_unit(unit: &str, quantity: Quantity) -> Result<Scale, QuantityError> {
         None => Err(QuantityError::WrongUnit {
             unit: unit.to_string(),
             allowed: match quantity {
-                Quantity::Length => "m, cm or mm",
-                Quantity::Force => "kN, N or MN",
+                Quantity::Length => "m, cm, mm, ft or in",
+                Quantity::Force => "kN, N, MN, t, kip or lbf",
                 Quantity::Pressure => "kN/m2, kPa or Pa",
                 Quantity::Number => "no unit",
             },
@@ -407,11 +453,31 @@ mod tests {
     fn refusals_say_what_to_do() {
         let said = |t: &str| parse(t, Quantity::Length, LengthUnit::Metre).unwrap_err().to_string();
         assert_eq!(said("2,7 m"), "write the decimal point as a point: 2.7 m");
-        assert_eq!(said("3 kN"), "unit \"kN\" does not fit here; use m, cm or mm");
+        assert_eq!(said("3 kN"), "unit \"kN\" does not fit here; use m, cm, mm, ft or in");
+        assert_eq!(said("3 000 mm"), "write thousands without a sign between them: 3000 mm");
+        assert_eq!(said("1,250mm"), "this can be 1250 mm or 1.250mm: write the one that is meant");
         assert_eq!(said("abc"), "\"abc\" is not a number");
         assert_eq!(said("1e999"), "\"1e999\" is not a finite number");
         assert_eq!(said("1-2"), "\"1-2\" is not a number");
         assert_eq!(said(""), "a number is needed");
+    }
+
+    #[test]
+    fn a_typed_comma_is_a_decimal_point_where_it_can_be_nothing_else() {
+        let read = |t: &str| parse_typed(t, Quantity::Length, LengthUnit::Metre);
+        assert_eq!((read("2,5"), read("2,75 m"), read("-0,2")), (Ok(2.5), Ok(2.75), Ok(-0.2)));
+        assert!(matches!(read("1,250"), Err(QuantityError::Thousands { .. })));
+        assert!(read("1,2,3").is_err() && read(",").is_err());
+    }
+
+    #[test]
+    fn feet_inches_kips_and_tonnes_are_what_they_are_defined_as() {
+        let of = |t: &str, quantity| parse(t, quantity, LengthUnit::Metre).unwrap();
+        assert_eq!((of("10 ft", Quantity::Length), of("10in", Quantity::Length)), (3.048, 0.254));
+        // 1 kip is 1000 lbf; 1 lbf is 0.45359237 kg x 9.80665 m/s2.
+        assert!((of("1 lbf", Quantity::Force) - 0.453_592_37 * 9.806_65).abs() < 1e-12);
+        assert_eq!(of("1 kip", Quantity::Force), 1000.0 * of("1 lbf", Quantity::Force));
+        assert_eq!(of("2 t", Quantity::Force), 19_613.3);
     }
 
     #[test]
