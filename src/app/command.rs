@@ -21,13 +21,15 @@ impl App {
         };
         // A command that takes nothing must be given nothing: a slip is no reason to act.
         let plain = |allowed: &[&str]| allowed.contains(&word) && !rest.is_empty();
-        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h", "tour"]) {
+        if plain(&["wq", "x", "q", "q!", "undo", "redo", "help", "h", "tour", "own", "reload"]) {
             return Err(format!("{word} takes nothing after it"));
         }
         match word {
             "" => {}
             "w" | "write" => return Ok(self.save(path_of(rest), false)),
             "w!" => return Ok(self.save(path_of(rest), true)),
+            "own" => return Ok(self.take_file()),
+            "reload" => return Ok(self.reload()),
             "wq" | "x" => return Ok(self.save_and_quit()),
             "q" | "quit" => return Ok(self.ask_to_quit()),
             "q!" => return Ok(self.quit(Some(self.project().clone()))),

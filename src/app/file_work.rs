@@ -1,6 +1,7 @@
 //! Files that are read and written behind the screen, and what waits for them.
 
 use super::message::Command;
+use crate::project::Holder;
 use crate::project::schema::Project;
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -38,9 +39,38 @@ pub(super) struct FileWork {
     opens: usize,
     opening: Option<Opening>,
     then: Option<Then>,
+    /// Who else holds the project's file.
+    holder: Option<Holder>,
+    /// Whether that is another one than was last read or written.
+    changed: bool,
 }
 
 impl FileWork {
+    /// Nothing is read or written; the project's file may be held by another session.
+    pub(super) fn new(holder: Option<Holder>) -> FileWork {
+        FileWork { holder, ..FileWork::default() }
+    }
+
+    /// Who else holds the project's file.
+    pub(super) fn holder(&self) -> Option<&Holder> {
+        self.holder.as_ref()
+    }
+
+    /// Another session holds the file, or none does; who held it before.
+    pub(super) fn set_holder(&mut self, holder: Option<Holder>) -> Option<Holder> {
+        std::mem::replace(&mut self.holder, holder)
+    }
+
+    /// Whether the file on disk is another one than was last read or written.
+    pub(super) fn changed(&self) -> bool {
+        self.changed
+    }
+
+    /// The file on disk is another one, or not any more.
+    pub(super) fn set_changed(&mut self, changed: bool) {
+        self.changed = changed;
+    }
+
     /// Notes what is asked for.
     pub(super) fn note(&mut self, commands: &[Command]) {
         for command in commands {
@@ -115,6 +145,11 @@ impl FileWork {
     pub(super) fn opened(&mut self) -> Option<Opening> {
         self.opens = self.opens.saturating_sub(1);
         self.opening.take_if(|_| self.opens == 0)
+    }
+
+    /// Whether a project is still being read, wanted or not.
+    pub(super) fn reading(&self) -> bool {
+        self.opens > 0
     }
 
     /// What waited is not wanted any more.

@@ -2,10 +2,10 @@
 //! input or output: the room that runs the loop carries out the effects and answers with messages.
 
 use super::key::Key;
-use super::settings::Settings;
+use super::settings::{SettingItem, Settings};
 use crate::export::ExportKind;
 use crate::job::{News, Order};
-use crate::project::Project;
+use crate::project::{Holder, Project};
 use crate::units::LengthUnit;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -44,6 +44,10 @@ pub enum Message {
     Projects(Vec<FoundProject>),
     /// Another project was read, or could not be.
     Opened(Result<OpenedProject, OpenFailure>),
+    /// Who holds the project's file, so that this session only reads it; nobody else.
+    Held(Option<Holder>),
+    /// Whether the file on disk is another one than was last read or written.
+    ChangedOnDisk(bool),
 }
 
 /// A save that worked.
@@ -64,6 +68,8 @@ pub struct SaveFailure {
     pub message: String,
     /// Whether saving again with `overwrite` would help: the file changed on disk since it was opened.
     pub overwrite_helps: bool,
+    /// Who holds the file, where that is the reason; taking it over would help.
+    pub holder: Option<Holder>,
     /// The other file that was asked for, or `None` for the project's own.
     pub path: Option<PathBuf>,
 }
@@ -102,7 +108,18 @@ pub struct OpenedProject {
     /// What the user should know of it.
     pub note: Option<String>,
     /// Edits kept from a session of it that was cut off.
-    pub kept: Option<Arc<Project>>,
+    pub kept: Option<KeptEdits>,
+    /// Who else holds the file.
+    pub holder: Option<Holder>,
+}
+
+/// Edits kept from a session that was cut off.
+#[derive(Debug, Clone)]
+pub struct KeptEdits {
+    /// The project with them.
+    pub project: Arc<Project>,
+    /// When they were made, and where they differ from the file, a line each.
+    pub about: Vec<String>,
 }
 
 /// A project that could not be opened.
@@ -129,6 +146,17 @@ pub enum Command {
         /// What to keep.
         project: Arc<Project>,
     },
+    /// Take the file over from another session, and answer with [`Message::Held`].
+    TakeFile {
+        /// Another file that is to be saved to, or `None` for the project's own.
+        path: Option<PathBuf>,
+    },
+    /// Edits kept from a session that was cut off are edits of this one now.
+    TakeKept,
+    /// The kept edits are not wanted; drop them.
+    DropKept,
+    /// The project that was opened last is not wanted any more.
+    LetGo,
     /// Drop the recovery file: everything is saved or the user let the edits go.
     ForgetRecovery,
     /// Do this behind the screen; its news come as [`Message::Work`].
@@ -158,9 +186,11 @@ pub enum Command {
     Redraw,
     /// End the program.
     Quit,
-    /// Keep the settings for the next start, and answer with [`Message::SettingsKept`].
+    /// Keep a setting for the next start, and answer with [`Message::SettingsKept`].
     KeepSettings {
-        /// What to keep.
+        /// The setting that was changed; the others may have been changed by another session.
+        changed: SettingItem,
+        /// What holds in this session.
         settings: Settings,
     },
     /// Put a text into the clipboard of the terminal, if it takes that.

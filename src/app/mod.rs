@@ -30,7 +30,7 @@ mod output;
 pub(crate) mod pages;
 mod pasted;
 pub(crate) mod picker;
-mod saving;
+pub(crate) mod saving;
 mod screen;
 pub mod settings;
 mod status;
@@ -44,6 +44,7 @@ pub use status::{Level, Status};
 
 use crate::case::Input;
 use crate::curve::Point;
+use crate::project::Holder;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::Wanted;
 use crate::units::LengthUnit;
@@ -53,7 +54,7 @@ use entry::Slot;
 use file_work::FileWork;
 use keymap::{Context, StudyPage};
 use look::Look;
-use message::Command;
+use message::{Command, KeptEdits};
 use screen::Screen;
 use settings::preferences::Choices;
 use settings::{Preferences, Settings};
@@ -89,7 +90,9 @@ pub struct Start {
     /// A first message, such as where the sample was copied to.
     pub note: Option<String>,
     /// Edits kept from a session that was cut off.
-    pub kept: Option<Arc<Project>>,
+    pub kept: Option<KeptEdits>,
+    /// Who else holds the file.
+    pub holder: Option<Holder>,
     /// The look of the screen.
     pub look: Look,
     /// Unit of lengths asked for on the command line, over the project's own.
@@ -108,6 +111,7 @@ impl Start {
             path: None,
             note: None,
             kept: None,
+            holder: None,
             look: Look::default(),
             units: None,
             size: (80, 24),
@@ -127,7 +131,7 @@ impl App {
             studies: Studies::default(),
             screen: Screen::new(start.look, start.size, status),
             choices: Choices::new(start.preferences),
-            files: FileWork::default(),
+            files: FileWork::new(start.holder),
         };
         if let Some(kept) = start.kept {
             app.screen.show(Mode::ConfirmRecovery { kept });
@@ -184,6 +188,16 @@ impl App {
     /// Its file, if it has one.
     pub fn path(&self) -> Option<&Path> {
         self.editor.path()
+    }
+
+    /// Who else holds the file, so that this session only reads it.
+    pub fn holder(&self) -> Option<&Holder> {
+        self.files.holder()
+    }
+
+    /// Whether the file on disk is another one than was last read or written.
+    pub(crate) fn changed_on_disk(&self) -> bool {
+        self.files.changed()
     }
 
     /// Whether there are edits that are not saved.

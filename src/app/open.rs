@@ -35,12 +35,15 @@ impl App {
 
     /// A project was read, or could not be: then all stays, with the reason.
     pub(super) fn opened(&mut self, result: Result<OpenedProject, OpenFailure>) -> Vec<Command> {
-        let Some(opening) = self.files.opened() else { return Vec::new() };
+        let Some(opening) = self.files.opened() else {
+            // A later one may be there already, and is not to be let go.
+            return if self.files.reading() { Vec::new() } else { vec![Command::LetGo] };
+        };
         match result {
             // Edits made meanwhile were not asked about.
             Ok(_) if self.edited() && !Arc::ptr_eq(&opening.of, self.project()) => {
                 self.screen.show(Mode::ConfirmOpen { path: opening.path });
-                Vec::new()
+                vec![Command::LetGo]
             }
             Ok(opened) => {
                 let stop = self.work.forget();
@@ -62,9 +65,15 @@ impl App {
 
     /// Goes on with another project; nothing of the former one is left.
     fn adopt(&mut self, opened: OpenedProject) {
-        let OpenedProject { project, path, note, kept } = opened;
+        let OpenedProject { project, path, note, kept, holder } = opened;
         let said = note.unwrap_or_else(|| format!("opened {}", path.display()));
+        // The same file read anew is looked at where it was left.
+        let left = (self.path() == Some(path.as_path())).then(|| self.layout().name.clone());
         self.editor = Editor::new(project, Some(path), self.settings().units);
+        let same = self.editor.layouts().iter().position(|l| Some(&l.name) == left.as_ref());
+        self.editor.select(same.unwrap_or(0));
+        self.files.set_holder(holder);
+        self.files.set_changed(false);
         self.files.drop_what_waits();
         self.screen.show(kept.map_or(Mode::Main, |kept| Mode::ConfirmRecovery { kept }));
         self.inform(said);

@@ -2,10 +2,16 @@
 
 use super::file_work::Then;
 use super::message::{Command, SaveFailure, Saved};
+use super::status::Status;
 use super::{App, Mode};
+use crate::project::Holder;
 use crate::project::schema::Project;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// What follows from another session's holding the file.
+pub(crate) const READS_ONLY: &str =
+    "this session only reads; :own takes it over, :w PATH saves elsewhere";
 
 impl App {
     /// Saves, to the project's own file or to another one.
@@ -107,7 +113,7 @@ impl App {
             Mode::ConfirmOpen { path } => self.open(path),
             Mode::ConfirmRecovery { .. } => {
                 self.inform("the kept edits were dropped");
-                vec![Command::ForgetRecovery]
+                vec![Command::DropKept]
             }
             other => {
                 self.screen.show(other);
@@ -119,7 +125,7 @@ impl App {
     /// The file that is there is replaced.
     pub(super) fn overwrite(&mut self) -> Vec<Command> {
         match self.screen.take() {
-            Mode::ConfirmOverwrite { path, then } => {
+            Mode::ConfirmOverwrite { path, then, .. } => {
                 let commands = self.save(path, true);
                 if let Some(then) = then.filter(|_| !commands.is_empty()) {
                     self.files.wait(then);
@@ -144,13 +150,23 @@ impl App {
                     None => format!("saved {name}"),
                 });
                 self.editor.saved(saved.project, saved.path);
+                self.files.set_holder(None);
+                self.files.set_changed(false);
                 self.go_on()
             }
             Err(failure) => {
                 let then = self.files.take_what_waits();
                 // A text that is being typed is not taken away; saving again asks again.
-                if failure.overwrite_helps && !matches!(self.screen.mode(), Mode::Entry(_)) {
-                    self.screen.show(Mode::ConfirmOverwrite { path: failure.path, then });
+                let (why, path) = (failure.message.clone(), failure.path);
+                let own = path.is_none();
+                let free = !matches!(self.screen.mode(), Mode::Entry(_));
+                if failure.holder.is_some() && free {
+                    self.screen.show(Mode::ConfirmTakeOver { why, path, then });
+                } else if failure.overwrite_helps && free {
+                    self.screen.show(Mode::ConfirmOverwrite { why, path, then });
+                }
+                if failure.holder.is_some() && own {
+                    self.files.set_holder(failure.holder);
                 }
                 self.complain(failure.message);
                 Vec::new()
@@ -172,13 +188,86 @@ impl App {
     }
 
     /// Edits kept from a lost session are taken back.
-    pub(super) fn restore(&mut self) {
+    pub(super) fn restore(&mut self) -> Vec<Command> {
         match self.screen.take() {
             Mode::ConfirmRecovery { kept } => {
-                self.editor.restore(&kept);
+                self.editor.restore(&kept.project);
                 self.inform("the kept edits are back, not saved yet; u undoes this");
+                vec![Command::TakeKept]
             }
-            other => self.screen.show(other),
+            other => {
+                self.screen.show(other);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The file is taken over from the session that holds it, and saved.
+    pub(super) fn take_over(&mut self) -> Vec<Command> {
+        match self.screen.take() {
+            Mode::ConfirmTakeOver { path, then, .. } => {
+                let save = self.save(path.clone(), false);
+                if let Some(then) = then.filter(|_| !save.is_empty()) {
+                    self.files.wait(then);
+                }
+                let first = (!save.is_empty()).then_some(Command::TakeFile { path });
+                first.into_iter().chain(save).collect()
+            }
+            other => {
+                self.screen.show(other);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The file is taken over from the session that holds it.
+    pub(super) fn take_file(&mut self) -> Vec<Command> {
+        match self.files.holder() {
+            Some(_) => vec![Command::TakeFile { path: None }],
+            None => {
+                self.inform("no other session is known to hold this file");
+                Vec::new()
+            }
+        }
+    }
+
+    /// Another session holds the file, or none does.
+    pub(super) fn held(&mut self, holder: Option<Holder>) {
+        let said = match &holder {
+            Some(holder) => Status::error(format!("{}; {READS_ONLY}", holder.text())),
+            None => Status::info("the file is this session's now"),
+        };
+        if self.files.set_holder(holder.clone()) != holder {
+            self.screen.say(said);
+        }
+    }
+
+    /// The file on disk is another one than was last read or written, or not any more.
+    pub(super) fn changed(&mut self, changed: bool) {
+        if changed {
+            self.inform("the file was changed on disk by something else; :reload reads it anew");
+        }
+        self.files.set_changed(changed);
+    }
+
+    /// The file is read anew, as another program left it; unsaved edits are asked about, unless that
+    /// was the question.
+    pub(super) fn reload(&mut self) -> Vec<Command> {
+        let asked = matches!(self.screen.mode(), Mode::ConfirmOverwrite { .. });
+        match (self.editor.path().map(Path::to_path_buf), self.screen.mode()) {
+            (None, _) => {
+                self.complain("this project has no file yet");
+                Vec::new()
+            }
+            (_, Mode::ConfirmOverwrite { path: Some(_), .. }) => {
+                self.complain("that is another file; :open PATH opens it");
+                Vec::new()
+            }
+            (Some(path), _) if asked => {
+                self.screen.show(Mode::Main);
+                self.open(path)
+            }
+            (Some(path), _) => self.ask_to_open(&path),
         }
     }
 }

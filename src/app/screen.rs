@@ -5,11 +5,10 @@ use super::entry::{EditTarget, LineEntry};
 use super::file_work::Then;
 use super::keymap::{Context, StudyPage};
 use super::look::{ColorMode, Glyphs, Look};
+use super::message::KeptEdits;
 use super::picker::Picker;
 use super::status::Status;
-use crate::project::schema::Project;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// What lies over the main screen.
 #[derive(Debug, Clone)]
@@ -42,6 +41,17 @@ pub enum Mode {
     ConfirmQuit,
     /// Replace a file that changed on disk, or that exists?
     ConfirmOverwrite {
+        /// Why it is asked.
+        why: String,
+        /// The other file to save to, or the project's own.
+        path: Option<PathBuf>,
+        /// What was to follow the save.
+        then: Option<Then>,
+    },
+    /// Take the file over from the session that holds it?
+    ConfirmTakeOver {
+        /// Who holds it.
+        why: String,
         /// The other file to save to, or the project's own.
         path: Option<PathBuf>,
         /// What was to follow the save.
@@ -68,8 +78,8 @@ pub enum Mode {
     Study(StudyPage),
     /// Take back edits kept from a session that was cut off?
     ConfirmRecovery {
-        /// The kept project.
-        kept: Arc<Project>,
+        /// They.
+        kept: KeptEdits,
     },
 }
 
@@ -86,6 +96,7 @@ impl Mode {
             Mode::ConfirmQuit => Context::ConfirmQuit,
             Mode::ConfirmOverwrite { .. } => Context::ConfirmOverwrite,
             Mode::ConfirmRecovery { .. } => Context::ConfirmRecovery,
+            Mode::ConfirmTakeOver { .. } => Context::ConfirmTakeOver,
             Mode::Settings { .. } => Context::Settings,
             Mode::Open(_) => Context::Open,
             Mode::ConfirmOpen { .. } => Context::ConfirmOpen,

@@ -65,6 +65,14 @@ impl App {
                 Vec::new()
             }
             Message::Opened(result) => self.opened(result),
+            Message::Held(holder) => {
+                self.held(holder);
+                Vec::new()
+            }
+            Message::ChangedOnDisk(changed) => {
+                self.changed(changed);
+                Vec::new()
+            }
             Message::SettingsKept(result) => {
                 self.files.written(result.is_ok());
                 match result {
@@ -213,7 +221,9 @@ impl App {
             Action::SaveAndQuit => return self.save_and_quit(),
             Action::Discard => return self.discard(),
             Action::Overwrite => return self.overwrite(),
-            Action::Restore => self.restore(),
+            Action::Restore => return self.restore(),
+            Action::TakeOver => return self.take_over(),
+            Action::Reload => return self.reload(),
             Action::Open => return self.show_picker(None),
             Action::SaveAndOpen => return self.save_and_open(),
             Action::CopyAnswer => return self.copy_answer(),

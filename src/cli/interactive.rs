@@ -8,10 +8,10 @@ use crate::project::home::{FirstProject, Home};
 use crate::project::{self, LoadError, Opened};
 use crate::term::capabilities::Surroundings;
 use crate::term::{
-    Ending, FileHost, Session, SessionOptions, TermError, can_be_shown, kept, migrated, preferences,
+    Beginning, Ending, FileHost, Session, SessionOptions, TermError, can_be_shown, preferences,
 };
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -82,18 +82,21 @@ fn run(
         // Not being able to remember the file is no reason not to open it.
         let _ = home.remember(path);
     }
-    let (kept, unreadable) = kept(&document, &home);
-    let note = unreadable.or(bad_settings).or(note).or_else(|| migrated(&document));
+    let path = document.path().map(Path::to_path_buf);
+    let (host, Beginning { kept, holder, note: of_file }) = FileHost::new(document, home);
+    let notes: Vec<String> = [bad_settings, note, of_file].into_iter().flatten().collect();
+    let note = (!notes.is_empty()).then(|| notes.join("; "));
     let mut app = App::new(app::Start {
         project: Arc::new(project),
-        path: document.path().map(std::path::Path::to_path_buf),
+        path,
         note,
         kept,
+        holder,
         look: preferences.look(&settings),
         units: settings.units,
         // The loop says the real size before it draws.
         size: (80, 24),
         preferences,
     });
-    session.run(&mut app, Arc::new(FileHost::new(document, home)))
+    session.run(&mut app, Arc::new(host))
 }

@@ -1,6 +1,6 @@
 //! An open project file: its text, the project that the text holds, and what stands on disk.
 
-use super::error::LoadError;
+use super::error::{Cause, LoadError};
 use super::load::{Parsed, decode_utf8, parse_text, read_bytes};
 use super::patch;
 use super::patch::Rendered;
@@ -34,6 +34,8 @@ pub struct Document {
     pub(super) base: Project,
     /// The file's version, where it is an older one and was not saved since.
     pub(super) migrated_from: Option<u32>,
+    /// Whether the file holds changes that what is edited does not know: a save asks first.
+    pub(super) unseen: bool,
 }
 
 /// Opens a project file.
@@ -60,7 +62,15 @@ pub fn parse(text: &str, file_name: &str) -> Result<Opened, LoadError> {
 impl Document {
     fn opened(path: Option<PathBuf>, on_disk: Option<String>, parsed: Parsed) -> Opened {
         let Parsed { project, text, tree, migrated_from } = parsed;
-        let document = Document { path, on_disk, text, tree, base: project.clone(), migrated_from };
+        let document = Document {
+            path,
+            on_disk,
+            text,
+            tree,
+            base: project.clone(),
+            migrated_from,
+            unseen: false,
+        };
         Opened { document, project }
     }
 
@@ -80,9 +90,31 @@ impl Document {
         self.on_disk.as_deref()
     }
 
+    /// The project as opened or last saved.
+    pub(crate) fn base(&self) -> &Project {
+        &self.base
+    }
+
     /// Whether a project differs from what was opened or last saved.
     pub fn is_edited(&self, project: &Project) -> bool {
         self.base != *project
+    }
+
+    /// What is edited from now on is older than the file, as edits of a lost session are: the next save
+    /// asks before it replaces the file, as for any that changed on disk.
+    pub(crate) fn falls_behind(&mut self) {
+        self.unseen = true;
+    }
+
+    /// What the file holds now, where that is not what was last read or written.
+    pub(crate) fn changed_on_disk(&self) -> bool {
+        let Some(path) = &self.path else { return false };
+        match (read_bytes(path), &self.on_disk) {
+            (Ok(now), Some(known)) => now != known.as_bytes(),
+            // Too large a file is another one too; one that has gone is made again by a save.
+            (Err(error), Some(_)) => error.cause == Cause::BadInput,
+            (_, None) => false,
+        }
     }
 
     /// The version of the file on disk, where it is older than this program's and a save will

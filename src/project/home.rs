@@ -5,11 +5,13 @@
 //! written, the program starts all the same and says what it cannot keep.
 
 use super::document::{self, Opened};
+use super::draft::{sweep, write_atomically};
 use super::error::{Cause, LoadError};
+use super::hold::rewrite;
 use super::load;
 use super::read;
-use super::save::write_atomically;
 use super::text::parser;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
@@ -79,6 +81,14 @@ impl Home {
         self.config.as_ref().map(|dir| dir.join("settings.ron"))
     }
 
+    /// Removes what killed sessions left half written in the user's directories.
+    pub(crate) fn sweep(&self) {
+        let kept = self.dir.as_ref().map(|dir| dir.join("recovery"));
+        for dir in [&self.dir, &self.config, &kept].into_iter().flatten() {
+            sweep(dir);
+        }
+    }
+
     /// Whether a file is one of the program's own and no project.
     pub(crate) fn keeps(&self, path: &Path) -> bool {
         [self.state_file(), self.settings_file()].iter().flatten().any(|own| own == path)
@@ -113,7 +123,9 @@ impl Home {
         let made = if fs::symlink_metadata(&path).is_ok() {
             Ok(())
         } else {
-            fs::create_dir_all(dir).and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
+            fs::create_dir_all(dir)
+                .and_then(|()| write_atomically(&path, SAMPLE.as_bytes()))
+                .map(|_| ())
         };
         match made {
             Ok(()) => match document::load(&path) {
@@ -132,20 +144,19 @@ impl Home {
     pub fn remember(&self, path: &Path) -> io::Result<bool> {
         let Some(file) = self.state_file() else { return Ok(false) };
         let path = std::path::absolute(path)?;
-        // A list that cannot be read is made anew; the start has said so.
-        let mut state = self.state().unwrap_or_default();
-        if state.recent.first() == Some(&path) {
-            return Ok(true);
-        }
-        state.recent.retain(|p| *p != path);
-        state.recent.insert(0, path);
-        state.recent.truncate(MOST_RECENT);
-        if let Some(dir) = file.parent() {
-            fs::create_dir_all(dir)?;
-        }
-        let text = ron::ser::to_string_pretty(&state, ron::ser::PrettyConfig::new())
-            .map_err(io::Error::other)?;
-        write_atomically(&file, format!("{text}\n").as_bytes())?;
+        rewrite(&file, |old| {
+            // A list that cannot be read is made anew; the start has said so.
+            let mut state: State = old.and_then(|old| known(old).ok()).unwrap_or_default();
+            if state.recent.first() == Some(&path) {
+                return Ok(None);
+            }
+            state.recent.retain(|p| *p != path);
+            state.recent.insert(0, path.clone());
+            state.recent.truncate(MOST_RECENT);
+            let text = ron::ser::to_string_pretty(&state, ron::ser::PrettyConfig::new())
+                .map_err(io::Error::other)?;
+            Ok(Some(format!("{text}\n").into_bytes()))
+        })?;
         Ok(true)
     }
 
@@ -164,17 +175,20 @@ impl Home {
     /// What is wrong with the file, in a few words.
     fn state(&self) -> Result<State, String> {
         let Some(file) = self.state_file() else { return Ok(State::default()) };
-        let shown = file.display().to_string();
-        let text = match load::read_bytes(&file).and_then(|bytes| load::decode_utf8(bytes, &shown))
-        {
-            Ok(text) => text,
-            Err(error) if error.cause == Cause::NotFound => return Ok(State::default()),
-            Err(error) => return Err(error.in_one_line()),
-        };
-        let damaged = || format!("{shown} cannot be read and begins anew");
-        let tree = parser::parse(&text).map_err(|_| damaged())?;
-        read::what_is_known(&text, &tree.root).ok_or_else(damaged)
+        match load::read_bytes(&file) {
+            Ok(bytes) => known(&bytes)
+                .map_err(|()| format!("{} cannot be read and begins anew", file.display())),
+            Err(error) if error.cause == Cause::NotFound => Ok(State::default()),
+            Err(error) => Err(error.in_one_line()),
+        }
     }
+}
+
+/// What a file of the program's own holds, as far as this version knows it.
+pub(super) fn known<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, ()> {
+    let text = std::str::from_utf8(bytes).map_err(|_| ())?;
+    let tree = parser::parse(text).map_err(|_| ())?;
+    read::what_is_known(text, &tree.root).ok_or(())
 }
 
 /// What is said of a project that cannot be opened at the start.

@@ -4,16 +4,24 @@
 //! - [`document`]: an open file; `load`: its text to a project; [`error`]: what is said when that
 //!   fails; [`save`]: back to disk.
 //! - [`mod@write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
+//! - [`mod@difference`]: what differs between two projects.
 //! - `kept`: the result of a check as the file holds it.
 //! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
+//! - [`claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
+//!   [`disk`]: what the system knows of both.
 //! - [`migrate`]: older formats. `read`: from a tree to values; [`text`]: from a text to a tree.
 
 mod check;
+mod claim;
 mod decode;
+mod difference;
+mod disk;
 mod document;
+mod draft;
 mod error;
+mod hold;
 pub(crate) mod home;
 mod kept;
 mod load;
@@ -25,17 +33,23 @@ mod save;
 pub mod schema;
 pub(crate) mod settings;
 pub mod text;
+mod time;
 mod wire_file;
 mod words;
 pub mod write;
 
+pub use claim::{Claimed, Holder, claim};
+pub use difference::difference;
+pub(crate) use disk::FileStamp;
 pub(crate) use document::Document;
 pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;
 pub use home::Home;
+pub use recovery::{OwnRecovery, Recovery};
 pub use save::{Overwrite, SaveError, create};
-pub(crate) use save::{SaveReport, same_file, write_file};
+pub(crate) use save::{SaveReport, same_file, sweep_beside, write_file};
 pub use schema::{MeshUse, NamedLayout, Project};
+pub(crate) use time::time_text;
 pub(crate) use wire_file::{load_wire, wire_text};
 pub use write::new_project;

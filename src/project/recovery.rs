@@ -1,22 +1,31 @@
 //! Unsaved work kept beside the file, for the day on which the program or the line breaks off.
 //!
-//! The copy of `dir/road-cut.ron` is `dir/.road-cut.ron.recovery`; where that directory cannot be
-//! written it is a file in the `recovery` directory of the data directory, named after the path.
-//! It is written whole or not at all, like the project itself.
+//! The copy of `dir/road-cut.ron` is `dir/.road-cut.ron.recovery`, or with a number in its name where
+//! another session has that; where the directory cannot be written it is a file in the `recovery`
+//! directory of the data directory, named after the path. It is written whole or not at all, like the
+//! project itself, and has the mode of the project.
+//!
+//! A recovery file belongs to the session that wrote it: it is locked as long as that lives, and then
+//! nobody is offered it nor touches it. One that is offered is locked by whoever was asked.
 
+use super::disk;
 use super::document::Document;
+use super::draft::{Draft, Place};
 use super::error::LoadError;
 use super::home::Home;
 use super::load;
-use super::save::{resolve, write_atomically};
+use super::save::resolve;
 use super::schema::Project;
-use std::fs;
-use std::io;
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Unsaved work of an earlier run.
-#[derive(Debug, Clone, PartialEq)]
+/// Sessions of one file that can keep work at the same time, living and lost.
+const MOST: usize = 20;
+
+/// Unsaved work of an earlier run, nobody else's as long as this is there.
+#[derive(Debug)]
 pub struct Recovery {
     /// The file that holds it.
     pub path: PathBuf,
@@ -24,39 +33,108 @@ pub struct Recovery {
     pub written: Option<SystemTime>,
     /// The text of the unsaved project.
     pub text: String,
+    file: File,
+}
+
+/// The recovery file of this session.
+#[derive(Debug)]
+pub struct OwnRecovery {
+    path: PathBuf,
+    /// The project's file, links followed.
+    of: Option<PathBuf>,
+    /// Open, and locked where the disk keeps locks.
+    file: File,
+}
+
+impl OwnRecovery {
+    /// Makes what was kept by a lost session the recovery file of this one, for a document.
+    pub fn adopt(kept: Recovery, document: &Document) -> OwnRecovery {
+        OwnRecovery { path: kept.path, of: document.file(), file: kept.file }
+    }
+
+    /// Whether it is where it was written.
+    pub fn stands(&self) -> bool {
+        disk::same_place(&self.file, &self.path)
+    }
+
+    /// Throws it away; for after a save, a quit, or a refusal by the user.
+    pub fn discard(self) {
+        if self.stands() {
+            // Where there is no right to, there is nothing to be said.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+
+    /// Writes another text in its place.
+    fn rewrite(&mut self, text: &str) -> io::Result<()> {
+        self.file = write(&self.path, self.of.as_deref(), text, Place::Over)?;
+        Ok(())
+    }
+}
+
+impl Recovery {
+    /// When the project's file was written, where that was after this: the file then has changes that
+    /// the kept work does not know.
+    pub(crate) fn overtaken(&self, document: &Document) -> Option<SystemTime> {
+        let file = fs::metadata(document.path()?).and_then(|about| about.modified()).ok()?;
+        self.written.is_some_and(|written| written < file).then_some(file)
+    }
+
+    /// Throws it away.
+    pub(crate) fn discard(self) {
+        OwnRecovery { path: self.path, of: None, file: self.file }.discard();
+    }
 }
 
 impl Document {
-    /// Keeps unsaved work; returns the file that holds it. A project without a file is kept in the
-    /// data directory.
+    /// The file behind the links.
+    fn file(&self) -> Option<PathBuf> {
+        self.path().map(|path| resolve(path).unwrap_or_else(|_| path.to_path_buf()))
+    }
+
+    /// Keeps unsaved work in this session's recovery file, which is made where there is none; returns
+    /// where that is. A project without a file is kept in the data directory.
     ///
     /// # Errors
     /// What the system said, where neither place could be written, or what cannot be written.
-    pub fn keep(&self, project: &Project, home: &Home) -> io::Result<PathBuf> {
+    pub fn keep(
+        &self,
+        project: &Project,
+        home: &Home,
+        own: &mut Option<OwnRecovery>,
+    ) -> io::Result<PathBuf> {
         let text = self.render(project).map_err(io::Error::other)?.text;
-        let mut last = io::Error::from(io::ErrorKind::NotFound);
-        for place in places(self.path(), home) {
-            if let Some(parent) = place.parent().filter(|_| home.owns(&place)) {
-                // Fails with the write below, and better said there.
-                let _ = fs::create_dir_all(parent);
-            }
-            match write_atomically(&place, text.as_bytes()) {
-                Ok(()) => return Ok(place),
-                Err(error) => last = error,
-            }
+        let of = self.file();
+        if let Some(own) = own.as_mut().filter(|own| own.of == of)
+            && own.rewrite(&text).is_ok()
+        {
+            return Ok(own.path.clone());
         }
-        Err(last)
+        let made = make(of.as_deref(), home, &text)?;
+        let path = made.path.clone();
+        if let Some(former) = own.replace(made) {
+            former.discard();
+        }
+        Ok(path)
     }
 
-    /// Unsaved work of an earlier run on this file that differs from what the file holds now.
+    /// Unsaved work of an earlier run on this file that differs from what the file holds now, and
+    /// belongs to no living session. The newest, where there are several; the others wait for the next
+    /// start.
     pub fn find_recovery(&self, home: &Home) -> Option<Recovery> {
-        places(self.path(), home)
-            .into_iter()
-            .filter_map(|path| read(&path))
-            .filter(|recovery| recovery.text != self.text)
+        let mut found: Option<Recovery> = None;
+        let places = places(self.file().as_deref(), home);
+        for path in places.iter().flat_map(|place| names(place)) {
+            let Some(recovery) = read(&path) else { continue };
             // In a file of an older version the text is the migrated one.
-            .filter(|recovery| Some(&recovery.text) != self.on_disk.as_ref())
-            .max_by_key(|recovery| recovery.written)
+            if recovery.text == self.text || Some(&recovery.text) == self.on_disk.as_ref() {
+                // All of it was saved before its session ended.
+                recovery.discard();
+            } else if found.as_ref().is_none_or(|other| other.written < recovery.written) {
+                found = Some(recovery);
+            }
+        }
+        found
     }
 
     /// Reads recovered work. The document stays that of the file, so that saving puts the recovered
@@ -76,37 +154,72 @@ impl Document {
         }
         Ok(project)
     }
+}
 
-    /// Throws kept work away; for after a save, a quit, or a refusal by the user.
-    pub fn discard_recovery(&self, home: &Home) {
-        for place in places(self.path(), home) {
-            // Where there is nothing to throw away, or no right to, there is nothing to be said.
-            let _ = fs::remove_file(place);
+/// Makes a recovery file under the first name that is free.
+fn make(of: Option<&Path>, home: &Home, text: &str) -> io::Result<OwnRecovery> {
+    let mut last = io::Error::from(ErrorKind::NotFound);
+    for place in places(of, home) {
+        if let Some(parent) = place.parent().filter(|_| home.owns(&place)) {
+            // Fails with the write below, and better said there.
+            let _ = fs::create_dir_all(parent);
+        }
+        for path in names(&place) {
+            if fs::symlink_metadata(&path).is_ok() {
+                continue;
+            }
+            match write(&path, of, text, Place::Free) {
+                Ok(file) => return Ok(OwnRecovery { path, of: of.map(Path::to_path_buf), file }),
+                // Another session was faster.
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => {
+                    last = error;
+                    break;
+                }
+            }
         }
     }
+    Err(last)
+}
+
+/// Writes a recovery file with the mode of the project's, or else for the user alone.
+fn write(path: &Path, of: Option<&Path>, text: &str, place: Place) -> io::Result<File> {
+    let draft = Draft::new(path, true)?;
+    if let Some(project) = of.and_then(|of| disk::open(of).ok()) {
+        draft.dress(&project)?;
+    }
+    draft.write(text.as_bytes())?;
+    Ok(draft.put(place)?.file)
 }
 
 /// Where work on a file is kept, the better place first.
-fn places(path: Option<&Path>, home: &Home) -> Vec<PathBuf> {
+pub(super) fn places(file: Option<&Path>, home: &Home) -> Vec<PathBuf> {
     let mut places = Vec::new();
-    let file = path.map(|p| resolve(p).unwrap_or_else(|_| p.to_path_buf()));
-    if let Some(file) = &file
+    if let Some(file) = file
         && let Some(name) = file.file_name()
     {
         places.push(file.with_file_name(format!(".{}.recovery", name.to_string_lossy())));
     }
     if let Some(dir) = home.data_dir() {
-        let name = match &file {
-            Some(file) => {
-                let whole = std::path::absolute(file).unwrap_or_else(|_| file.clone());
-                let stem = file.file_name().map(|n| n.to_string_lossy().into_owned());
-                format!("{}-{:016x}", stem.unwrap_or_default(), fingerprint(&whole))
-            }
-            None => "unnamed".to_string(),
-        };
-        places.push(dir.join("recovery").join(format!("{name}.recovery")));
+        places.push(dir.join("recovery").join(format!("{}.recovery", name_of_path(file))));
     }
     places
+}
+
+/// A name for what belongs to a file that is elsewhere.
+pub(super) fn name_of_path(file: Option<&Path>) -> String {
+    let Some(file) = file else { return "unnamed".to_string() };
+    let whole = std::path::absolute(file).unwrap_or_else(|_| file.to_path_buf());
+    let stem = file.file_name().map(|n| n.to_string_lossy().into_owned());
+    format!("{}-{:016x}", stem.unwrap_or_default(), fingerprint(&whole))
+}
+
+/// The names that a recovery file may have at a place: `.p.ron.recovery`, `.p.ron.2.recovery`, ...
+fn names(place: &Path) -> impl Iterator<Item = PathBuf> {
+    (1..=MOST).map(move |n| match n {
+        1 => place.to_path_buf(),
+        _ => place.with_extension(format!("{n}.recovery")),
+    })
 }
 
 /// A number for a path that is the same in every run (FNV-1a over its text).
@@ -117,8 +230,24 @@ fn fingerprint(path: &Path) -> u64 {
     })
 }
 
+/// What a session that is no more has kept; nothing where there is none or it lives.
 fn read(path: &Path) -> Option<Recovery> {
+    if !fs::symlink_metadata(path).ok()?.is_file() {
+        return None;
+    }
+    let file = disk::open(path).ok()?;
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => return None,
+        // A disk without locks does not tell the living from the dead.
+        Ok(()) | Err(TryLockError::Error(_)) => {}
+    }
+    // Another session may have taken it meanwhile.
+    if !disk::same_place(&file, path) {
+        return None;
+    }
     let bytes = load::read_bytes(path).ok()?;
-    let written = fs::metadata(path).and_then(|about| about.modified()).ok();
-    Some(Recovery { path: path.to_path_buf(), written, text: String::from_utf8(bytes).ok()? })
+    let written = file.metadata().and_then(|about| about.modified()).ok();
+    // What is no text is refused when it is read as a project, and told then.
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    Some(Recovery { path: path.to_path_buf(), written, text, file })
 }

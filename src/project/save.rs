@@ -1,14 +1,16 @@
 //! Project to file: atomic, durable, and never over somebody else's changes.
 
+use super::disk;
 use super::document::{Document, holds};
+use super::draft::{self, Draft, Place};
+use super::hold::{Held, hold};
 use super::load;
 use super::patch::Rendered;
 use super::schema::Project;
 use super::write::Unwritable;
 use crate::problem::{Problem, summary};
-use atomic_write_file::OpenOptions;
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Whether to save over a file that is not as it was when it was opened.
@@ -31,6 +33,8 @@ pub struct SaveReport {
     pub migrated_from: Option<u32>,
     /// Whether the file had been deleted meanwhile, and was made again.
     pub recreated: bool,
+    /// What the system said when the file was in place but could not be brought to the disk for sure.
+    pub(crate) unsure: Option<String>,
 }
 
 /// Why a save did not happen. The file on disk is as it was.
@@ -51,6 +55,12 @@ pub enum SaveError {
     /// The path leads to something that is no ordinary file.
     #[error("{} is no ordinary file; save under another name", .0.display())]
     NotAFile(PathBuf),
+    /// Somebody else is saving it, for longer than that takes.
+    #[error("{} is held by another program; try again, or save under another name", .0.display())]
+    Busy(PathBuf),
+    /// A save makes a new file, and that would not be all that the old one is.
+    #[error("{} would lose {}; save again to go on, or save under another name", .0.display(), .1.join(", "))]
+    Loses(PathBuf, Vec<String>),
     /// The project itself is wrong.
     #[error("the project cannot be saved: {}", summary(.0))]
     Unsound(Vec<Problem>),
@@ -96,18 +106,20 @@ impl Document {
         let path = self.path.clone().ok_or(SaveError::NoPath)?;
         let rendered = self.checked_text(project)?;
         let target = resolve(&path)?;
-        let now = current_text(&target)?;
-        if let Some(now) = &now
+        let held = hold(&target)?;
+        if let Some(held) = &held
             && overwrite == Overwrite::No
-            && self.on_disk.as_ref().map(String::as_bytes) != Some(now.as_slice())
+            && (self.unseen
+                || self.on_disk.as_ref().map(String::as_bytes) != Some(held.bytes.as_slice()))
         {
             return Err(match self.on_disk {
                 Some(_) => SaveError::ChangedOnDisk(path),
                 None => SaveError::Exists(path),
             });
         }
-        let recreated = now.is_none() && self.on_disk.is_some();
-        self.write(path, &target, project, rendered, recreated)
+        let recreated = held.is_none() && self.on_disk.is_some();
+        let unsure = replace(&path, &target, held, &rendered.text, overwrite)?;
+        Ok(self.saved(path, project, rendered, recreated, unsure))
     }
 
     /// Saves an edited project to another file, which is its file from then on.
@@ -126,10 +138,12 @@ impl Document {
         }
         let rendered = self.checked_text(project)?;
         let target = resolve(path)?;
-        if current_text(&target)?.is_some() && overwrite == Overwrite::No {
+        let held = hold(&target)?;
+        if held.is_some() && overwrite == Overwrite::No {
             return Err(SaveError::Exists(path.to_path_buf()));
         }
-        self.write(path.to_path_buf(), &target, project, rendered, false)
+        let unsure = replace(path, &target, held, &rendered.text, overwrite)?;
+        Ok(self.saved(path.to_path_buf(), project, rendered, false, unsure))
     }
 
     fn checked_text(&self, project: &Project) -> Result<Rendered, SaveError> {
@@ -142,21 +156,21 @@ impl Document {
         Ok(rendered)
     }
 
-    fn write(
+    /// The document after a save.
+    fn saved(
         &mut self,
         path: PathBuf,
-        target: &Path,
         project: &Project,
         rendered: Rendered,
         recreated: bool,
-    ) -> Result<SaveReport, SaveError> {
-        let failed = |error| SaveError::Io { path: path.clone(), error };
-        write_atomically(target, rendered.text.as_bytes()).map_err(failed)?;
+        unsure: Option<String>,
+    ) -> SaveReport {
         let report = SaveReport {
             path: path.clone(),
             comments_kept: rendered.comments_kept,
             migrated_from: self.migrated_from.take(),
             recreated,
+            unsure,
         };
         // The text was read back before it was written, so this always succeeds.
         if let Ok(parsed) = load::parse_text(&rendered.text, "") {
@@ -166,7 +180,8 @@ impl Document {
         self.on_disk = Some(rendered.text.clone());
         self.text = rendered.text;
         self.base = project.clone();
-        Ok(report)
+        self.unseen = false;
+        report
     }
 }
 
@@ -185,11 +200,55 @@ pub fn create(path: &Path, text: &str) -> Result<(), SaveError> {
 /// [`SaveError::Exists`] if there is such a file and `overwrite` is no, or what the system said.
 pub(crate) fn write_file(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), SaveError> {
     let target = resolve(path)?;
-    if current_text(&target)?.is_some() && overwrite == Overwrite::No {
+    let held = hold(&target)?;
+    if held.is_some() && overwrite == Overwrite::No {
         return Err(SaveError::Exists(path.to_path_buf()));
     }
-    write_atomically(&target, text.as_bytes())
-        .map_err(|error| SaveError::Io { path: path.to_path_buf(), error })
+    // What a report or a table is beyond its text is nothing to ask about.
+    replace(path, &target, held, text, Overwrite::Yes).map(|_| ())
+}
+
+/// Puts a text in the place of a file that is held, or where there is none; `path` is the file as it was
+/// named. What the system said where the new file is in place but perhaps not on the disk.
+fn replace(
+    path: &Path,
+    target: &Path,
+    held: Option<Held>,
+    text: &str,
+    overwrite: Overwrite,
+) -> Result<Option<String>, SaveError> {
+    let failed = |error| SaveError::Io { path: path.to_path_buf(), error };
+    let draft = Draft::new(target, held.is_some()).map_err(failed)?;
+    if let Some(held) = &held {
+        let mut lost = draft.dress(&held.file).map_err(failed)?;
+        let links = disk::links(&held.file);
+        if links > 1 {
+            lost.insert(
+                0,
+                format!("its other names ({links} hard links, which keep the old text)"),
+            );
+        }
+        if !lost.is_empty() && overwrite == Overwrite::No {
+            return Err(SaveError::Loses(path.to_path_buf(), lost));
+        }
+    }
+    draft.write(text.as_bytes()).map_err(failed)?;
+    let place = if held.is_some() { Place::Over } else { Place::Free };
+    match draft.put(place) {
+        Ok(placed) => Ok(placed.unsure.map(|error| error.to_string())),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            Err(SaveError::Exists(path.to_path_buf()))
+        }
+        Err(error) => Err(failed(error)),
+    }
+}
+
+/// Removes what killed saves left in the directory of a file.
+pub(crate) fn sweep_beside(path: &Path) {
+    let file = resolve(path).unwrap_or_else(|_| path.to_path_buf());
+    if let Some(dir) = file.parent() {
+        draft::sweep(dir);
+    }
 }
 
 /// Whether two paths lead to one file that is there.
@@ -218,41 +277,4 @@ pub(super) fn resolve(path: &Path) -> Result<PathBuf, SaveError> {
         }
     }
     Err(SaveError::NotAFile(path.to_path_buf()))
-}
-
-/// What stands in a file that is to be replaced; nothing if there is no file.
-fn current_text(target: &Path) -> Result<Option<Vec<u8>>, SaveError> {
-    match fs::metadata(target) {
-        Ok(about) if !about.is_file() => return Err(SaveError::NotAFile(target.to_path_buf())),
-        Ok(about) if about.permissions().readonly() => {
-            return Err(SaveError::ReadOnly(target.to_path_buf()));
-        }
-        Ok(_) => {}
-        Err(e) if e.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(SaveError::Io { path: target.to_path_buf(), error }),
-    }
-    match fs::read(target) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(SaveError::Io { path: target.to_path_buf(), error }),
-    }
-}
-
-/// Puts bytes in the place of a file in one step, and on the disk.
-pub(super) fn write_atomically(target: &Path, bytes: &[u8]) -> io::Result<()> {
-    // A bare name has an empty parent, which no system call takes.
-    let target = match target.parent() {
-        Some(parent) if parent.as_os_str().is_empty() => Path::new(".").join(target),
-        _ => target.to_path_buf(),
-    };
-    let mut file = OpenOptions::new().open(&target)?;
-    file.write_all(bytes)?;
-    // Brings the file to the disk, then renames it.
-    file.commit()?;
-    // The rename is on the disk once the directory is. Some file systems cannot do that; the new
-    // text is in place all the same.
-    if let Some(parent) = target.parent() {
-        let _ = File::open(parent).and_then(|dir| dir.sync_all());
-    }
-    Ok(())
 }

@@ -3,14 +3,15 @@
 //! changed and kept. Comments and order of a file stay; a file that cannot be read is never replaced,
 //! but put aside.
 
+use super::draft::write_atomically;
 use super::error::{Cause, FileFault, Found, LoadError};
+use super::hold::rewrite;
 use super::home::Home;
 use super::load;
 use super::read::{Path, Reader};
-use super::save::{resolve, write_atomically};
+use super::save::resolve;
 use super::text::{NodeKind, Tree, parser};
 use super::words;
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 
@@ -165,37 +166,42 @@ impl Home {
         }
     }
 
-    /// Writes the file of settings in one step. A file that could not be read is put aside first;
-    /// its new name is returned. Without a place for the file nothing happens.
+    /// Changes one setting in the file, in one step. The others stay as the file has them, for another
+    /// session may have changed them; `session` says what they are where the file does not. A file that
+    /// could not be read is put aside first; its new name is returned. Without a place for the file
+    /// nothing happens.
     ///
     /// # Errors
     /// What the system said.
-    pub(crate) fn keep_settings(
+    pub(crate) fn keep_setting(
         &self,
-        wanted: &[(&str, String)],
+        changed: &str,
+        session: &[(&str, String)],
         known: &[KnownSettings],
     ) -> io::Result<Option<PathBuf>> {
         let Some(path) = self.settings_file() else { return Ok(None) };
         // A link to the file, as people with dotfiles have, stays a link.
         let path = resolve(&path).unwrap_or(path);
-        let old = match fs::read(&path) {
-            Ok(bytes) => Some(bytes),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return Err(error),
-        };
-        let readable = old.as_deref().and_then(|bytes| std::str::from_utf8(bytes).ok());
-        let readable = readable.filter(|text| read_as(text, known).is_some());
-        let text = render(readable, wanted, known);
         let mut aside = None;
-        if let Some(bad) = old.as_ref().filter(|_| readable.is_none()) {
-            let place = path.with_extension("ron.unread");
-            write_atomically(&place, bad)?;
-            aside = Some(place);
-        }
-        if let Some(dir) = path.parent() {
-            fs::create_dir_all(dir)?;
-        }
-        write_atomically(&path, text.as_bytes())?;
+        rewrite(&path, |old| {
+            let text = old.and_then(|bytes| std::str::from_utf8(bytes).ok());
+            let words = text.and_then(|text| read_as(text, known));
+            if let (Some(bad), None) = (old, &words) {
+                let place = path.with_extension("ron.unread");
+                write_atomically(&place, bad)?;
+                aside = Some(place);
+            }
+            let words = words.unwrap_or_default();
+            let wanted: Vec<(&str, String)> = session
+                .iter()
+                .map(|(name, word)| {
+                    let kept = words.iter().find(|(n, _)| n == name && name != &changed);
+                    (*name, kept.map_or(word, |(_, word)| word).clone())
+                })
+                .collect();
+            let readable = text.filter(|text| read_as(text, known).is_some());
+            Ok(Some(render(readable, &wanted, known).into_bytes()))
+        })?;
         Ok(aside)
     }
 }
@@ -203,6 +209,7 @@ impl Home {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     fn known() -> Vec<KnownSettings> {
         let word = |w: &str| ["quick", "fine"].contains(&w);
@@ -258,19 +265,33 @@ mod tests {
     }
 
     #[test]
+    fn a_change_does_not_revert_that_of_another_session() {
+        let dir = tempfile::tempdir().unwrap();
+        let home = Home::at(Some(dir.path().to_path_buf()));
+        // Both began with quick and auto.
+        home.keep_setting("speed", &wanted("fine", "auto"), &known()).unwrap();
+        home.keep_setting("runs", &wanted("quick", "12"), &known()).unwrap();
+        let kept = home.settings(&known()).unwrap().unwrap();
+        assert_eq!(kept, [("speed".into(), "fine".into()), ("runs".into(), "12".into())]);
+    }
+
+    #[test]
     fn a_file_that_cannot_be_read_is_put_aside() {
         let dir = tempfile::tempdir().unwrap();
         let home = Home::at(Some(dir.path().join("new")));
         assert_eq!(home.settings(&known()).unwrap(), None);
-        assert_eq!(home.keep_settings(&wanted("fine", "2"), &known()).unwrap(), None);
+        assert_eq!(home.keep_setting("speed", &wanted("fine", "2"), &known()).unwrap(), None);
         let kept = home.settings(&known()).unwrap().unwrap();
         assert_eq!(kept, [("speed".into(), "fine".into()), ("runs".into(), "2".into())]);
         let file = home.settings_file().unwrap();
         fs::write(&file, "(speed: fast)").unwrap();
         assert!(home.settings(&known()).is_err());
-        let aside = home.keep_settings(&wanted("quick", "2"), &known()).unwrap().unwrap();
+        let aside = home.keep_setting("runs", &wanted("quick", "2"), &known()).unwrap().unwrap();
         assert_eq!(fs::read_to_string(aside).unwrap(), "(speed: fast)");
         assert!(home.settings(&known()).unwrap().is_some());
-        assert_eq!(Home::at(None).keep_settings(&wanted("quick", "2"), &known()).unwrap(), None);
+        assert_eq!(
+            Home::at(None).keep_setting("runs", &wanted("quick", "2"), &known()).unwrap(),
+            None
+        );
     }
 }

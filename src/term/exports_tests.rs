@@ -15,7 +15,7 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
     fs::write(&path, SAMPLE).unwrap();
     let opened = project::load(&path).unwrap();
     let project = opened.project;
-    let host = FileHost::new(opened.document, Home::at(Some(folder.path().join("home"))));
+    let (host, _) = FileHost::new(opened.document, Home::at(Some(folder.path().join("home"))));
     let wanted = |kind| ExportWanted {
         kind,
         project: &project,

@@ -12,7 +12,8 @@ fn open() -> (TempDir, PathBuf, FileHost, Project) {
     project::create(&path, &project::new_project("Road")).unwrap();
     let opened = project::load(&path).unwrap();
     let home = Home::at(Some(dir.path().join("data")));
-    (dir, path, FileHost::new(opened.document, home), opened.project)
+    let host = FileHost::new(opened.document, home).0;
+    (dir, path, host, opened.project)
 }
 
 fn edited(project: &Project, name: &str) -> Arc<Project> {
@@ -94,12 +95,13 @@ fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_ow
     assert!(failure.message.contains("none.ron"), "{}", failure.message);
     assert!(former.exists());
     // Edits of the other project that a lost session left.
-    let lost = FileHost::new(project::load(&other).unwrap().document, files.home.clone());
+    let (lost, _) = FileHost::new(project::load(&other).unwrap().document, files.home.clone());
     let left = lost.recover(&edited(&project, "left behind")).unwrap();
+    drop(lost);
 
     let opened = files.open(&other).unwrap();
     assert_eq!((opened.project.name.as_str(), opened.path.as_path()), ("Other", other.as_path()));
-    assert_eq!(opened.kept.unwrap().name, "left behind");
+    assert_eq!(opened.kept.unwrap().project.name, "left behind");
     // Until it takes over, what is kept and saved is the former's.
     assert!(former.exists());
     assert_eq!(files.recover(&edited(&project, "unsaved")).unwrap(), former);

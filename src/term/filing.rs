@@ -81,9 +81,12 @@ fn answer(host: &dyn Host, order: &Command) -> Option<Message> {
                 overwrite: *overwrite,
             }))
         }
+        Command::TakeFile { path } => Message::Held(host.take_file(path.as_deref())),
         Command::ListProjects => Message::Projects(host.list()),
         Command::OpenProject { path } => Message::Opened(host.open(path)),
-        Command::KeepSettings { settings } => Message::SettingsKept(host.keep_settings(settings)),
+        Command::KeepSettings { changed, settings } => {
+            Message::SettingsKept(host.keep_settings(*changed, settings))
+        }
         _ => return None,
     })
 }
@@ -92,9 +95,12 @@ fn answer(host: &dyn Host, order: &Command) -> Option<Message> {
 fn failed(order: &Command) -> Option<Message> {
     let message = BROKE.to_owned();
     Some(match order {
-        Command::Save { path, .. } => {
-            Message::Saved(Err(SaveFailure { message, overwrite_helps: false, path: path.clone() }))
-        }
+        Command::Save { path, .. } => Message::Saved(Err(SaveFailure {
+            message,
+            overwrite_helps: false,
+            holder: None,
+            path: path.clone(),
+        })),
         Command::Export { .. } => Message::Exported(Err(message)),
         Command::ListProjects => Message::Projects(Vec::new()),
         Command::OpenProject { .. } => Message::Opened(Err(OpenFailure { message })),

@@ -45,13 +45,14 @@ mod signals;
 mod state;
 mod travel;
 mod tty;
+mod watch;
 mod workshop;
 
 pub use cells::Charset;
 pub(crate) use error::TermError;
 pub use events::Mail;
+pub(crate) use files::Beginning;
 pub use files::FileHost;
-pub(crate) use files::{kept, migrated};
 pub use painter::Painter;
 pub(crate) use preferences::preferences;
 pub use program::{Host, Program};

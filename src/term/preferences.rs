@@ -56,14 +56,18 @@ pub(crate) fn preferences(
     (preferences, note)
 }
 
-/// Keeps settings for the next start.
+/// Keeps a setting for the next start; the others are as the file has them, or else the session.
 ///
 /// # Errors
 /// Why that cannot be done.
-pub(super) fn keep(home: &Home, settings: &Settings) -> Result<Option<String>, String> {
+pub(super) fn keep(
+    home: &Home,
+    changed: SettingItem,
+    settings: &Settings,
+) -> Result<Option<String>, String> {
     let words = settings.to_words();
     let words: Vec<(&str, String)> = words.into_iter().map(|(i, w)| (i.name(), w)).collect();
-    match home.keep_settings(&words, &known()) {
+    match home.keep_setting(changed.name(), &words, &known()) {
         Ok(aside) => Ok(aside.map(|path| {
             format!("settings kept; the file that could not be read is now {}", path.display())
         })),
@@ -82,7 +86,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let home = Home::at(Some(dir.path().to_path_buf()));
         let settings = Settings { fidelity: Fidelity::Fine, live: true, ..Settings::default() };
-        assert_eq!(keep(&home, &settings), Ok(None));
+        assert_eq!(keep(&home, SettingItem::Live, &settings), Ok(None));
         let flags = vec![(SettingItem::Fidelity, "quick".to_string())];
         let (found, note) = preferences(&home, &Surroundings::default(), flags);
         assert_eq!(note, None);
@@ -106,7 +110,7 @@ mod tests {
         assert!(found.trouble.is_some_and(|t| t.contains("line 2, column 15")));
         assert!(!found.tour);
         assert!(fs::read_to_string(&file).unwrap().contains("fast"));
-        let told = keep(&home, &found.kept).unwrap().unwrap();
+        let told = keep(&home, SettingItem::Live, &found.kept).unwrap().unwrap();
         assert!(told.contains("settings.ron.unread"), "{told}");
     }
 }

@@ -5,8 +5,8 @@ use crate::app::look::Look;
 use crate::app::message::{
     Command, Exported, FoundProject, Message, OpenFailure, OpenedProject, SaveFailure, Saved,
 };
-use crate::app::settings::Settings;
-use crate::project::Project;
+use crate::app::settings::{SettingItem, Settings};
+use crate::project::{Holder, Project};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Position;
 use std::path::{Path, PathBuf};
@@ -62,12 +62,33 @@ pub trait Host: Send + Sync {
     /// Why it is still there.
     fn forget_recovery(&self) -> Result<(), String>;
 
-    /// Keeps the settings; says what the user should know of it, or why it cannot be done. A host
+    /// Takes a file over from the session that holds it, the project's own or one that is to be saved to;
+    /// who holds the project's own file then.
+    fn take_file(&self, _path: Option<&Path>) -> Option<Holder> {
+        None
+    }
+
+    /// Whether the recovery file is where it was written, if one was.
+    fn recovery_stands(&self) -> bool {
+        true
+    }
+
+    /// What a lost session kept was taken back: its recovery file is this session's now.
+    fn take_kept(&self) {}
+
+    /// What a lost session kept is not wanted.
+    fn drop_kept(&self) {}
+
+    /// Keeps a setting that was changed; says what the user should know of it, or why it cannot be done. A host
     /// without a place for them forgets them.
     ///
     /// # Errors
     /// Why they are not kept.
-    fn keep_settings(&self, _settings: &Settings) -> Result<Option<String>, String> {
+    fn keep_settings(
+        &self,
+        _changed: SettingItem,
+        _settings: &Settings,
+    ) -> Result<Option<String>, String> {
         Ok(None)
     }
 
@@ -95,4 +116,19 @@ pub trait Host: Send + Sync {
 
     /// Goes on with the project that was opened last; the recovery file of the present one is dropped.
     fn take_over(&self) {}
+
+    /// What was opened last is not wanted.
+    fn let_go(&self) {}
+
+    /// Removes what killed sessions left half written.
+    fn tidy(&self) {}
+
+    /// Looks at the project's file: who holds it and whether it changed, where that is news. Called by a
+    /// thread of its own, again and again.
+    fn watch(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
+    /// The session ends: what it holds is given back.
+    fn leave(&self) {}
 }

@@ -56,6 +56,8 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) autosave: Option<Duration>,
     pub(super) size: (u16, u16),
     pub(super) unkept_since: Option<Instant>,
+    /// When the recovery file was written or seen last.
+    pub(super) kept_at: Option<Instant>,
     /// Stopped and not yet continued: the terminal is not ours.
     pub(super) away: bool,
     pub(super) redraw: bool,
@@ -67,6 +69,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
     pub(super) fn run(&mut self) -> (Ending, Meter) {
         self.resize(self.stage.size());
         loop {
+            self.keep_if_due();
             self.draw();
             if let Some(ending) = self.ending {
                 return (ending, self.painter.meter());
@@ -85,13 +88,26 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         }
     }
 
-    /// Waits for an event, and when edits have waited long enough keeps them instead.
+    /// When edits have waited long enough, or the recovery file should be looked for again.
+    fn deadline(&self) -> Option<Instant> {
+        self.unkept_since.or(self.kept_at)?.checked_add(self.autosave?)
+    }
+
+    /// Keeps edits that have waited long enough, however many events there are; and again those whose
+    /// recovery file has gone.
+    fn keep_if_due(&mut self) {
+        if self.deadline().is_none_or(|deadline| Instant::now() < deadline) {
+            return;
+        }
+        if self.unkept_since.take().is_some() || !self.host.recovery_stands() {
+            self.keep();
+        }
+        self.kept_at = self.kept_at.map(|_| Instant::now());
+    }
+
+    /// Waits for an event, but no longer than until edits are to be kept.
     fn wait(&mut self) -> Option<Event> {
-        let deadline = match (self.autosave, self.unkept_since) {
-            (Some(patience), Some(since)) => since.checked_add(patience),
-            _ => None,
-        };
-        let event = match deadline {
+        let event = match self.deadline() {
             None => self.events.recv().map_err(|_| RecvTimeoutError::Disconnected),
             Some(deadline) => {
                 self.events.recv_timeout(deadline.saturating_duration_since(Instant::now()))
@@ -99,11 +115,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         };
         match event {
             Ok(event) => Some(event),
-            Err(RecvTimeoutError::Timeout) => {
-                self.unkept_since = None;
-                self.keep();
-                None
-            }
+            Err(RecvTimeoutError::Timeout) => None,
             // All senders are gone: nothing will ever come.
             Err(RecvTimeoutError::Disconnected) => {
                 self.hang_up();
@@ -145,6 +157,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             | Command::Export { .. }
             | Command::ListProjects
             | Command::OpenProject { .. }
+            | Command::TakeFile { .. }
             | Command::KeepSettings { .. } => self.filing.order(effect),
             Command::Recover { project } => {
                 let result = self.host.recover(&project);
@@ -155,6 +168,18 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                     .map(|why| Message::Trouble(format!("unsaved edits could not be kept: {why}")))
             }
             Command::ForgetRecovery => self.forget_recovery(),
+            Command::TakeKept => {
+                self.host.take_kept();
+                None
+            }
+            Command::DropKept => {
+                self.host.drop_kept();
+                None
+            }
+            Command::LetGo => {
+                self.host.let_go();
+                None
+            }
             Command::Suspend => {
                 self.suspend(true);
                 None
@@ -225,11 +250,16 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         } else {
             self.unkept_since = None;
         }
+        if clean {
+            self.kept_at = None;
+        }
     }
 
     /// Keeps what is unsaved in the recovery file.
     fn keep(&mut self) {
-        if let Some(Err(why)) = self.rescue.keep() {
+        let kept = self.rescue.keep();
+        self.kept_at = kept.as_ref().map(|_| Instant::now());
+        if let Some(Err(why)) = kept {
             self.update(Message::Trouble(format!(
                 "unsaved edits could not be kept in the recovery file: {why}"
             )));

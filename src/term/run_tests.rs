@@ -86,7 +86,13 @@ impl Host for NotedHost {
     fn open(&self, path: &Path) -> Result<OpenedProject, OpenFailure> {
         note(&self.notes, format!("open {}", path.display()));
         let project = Arc::new(Project::starter("other"));
-        Ok(OpenedProject { project, path: path.to_path_buf(), note: None, kept: None })
+        Ok(OpenedProject {
+            project,
+            path: path.to_path_buf(),
+            note: None,
+            kept: None,
+            holder: None,
+        })
     }
 }
 
@@ -215,6 +221,7 @@ fn run_with(
         autosave: setting.autosave,
         size: (0, 0),
         unkept_since: None,
+        kept_at: None,
         away: false,
         redraw: true,
         ending: None,
@@ -379,6 +386,19 @@ fn edits_are_kept_once_and_forgotten_when_they_are_gone() {
         });
     });
     assert_eq!(notes, ["size 20x4", "frame", "key e", "recover edited", "key u", "forget"]);
+}
+
+#[test]
+fn edits_are_kept_in_the_middle_of_a_flood_of_keys() {
+    let setting = Setting { autosave: Some(Duration::ZERO), ..HEALTHY };
+    let (_, notes) = run(setting, |mail| {
+        type_keys(&mail, "e");
+        type_keys(&mail, &"+".repeat(2_000));
+        type_keys(&mail, "q");
+    });
+    let kept = notes.iter().position(|noted| noted == "recover edited").unwrap();
+    let after = notes[kept..].iter().filter(|noted| *noted == "key +").count();
+    assert!(after > 1_000, "{after} keys came after they were kept");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use super::rescue::Rescue;
 use super::run::{Ending, Loop, Stage};
 use super::signals::suspend;
 use super::workshop::Workshop;
-use super::{input, signals, tty};
+use super::{input, signals, tty, watch};
 use std::io::{self, IsTerminal};
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
@@ -30,11 +30,11 @@ pub struct SessionOptions {
 }
 
 impl Default for SessionOptions {
-    /// UTF-8, edits kept after five seconds, copies sent.
+    /// UTF-8, edits kept after a second and a half, copies sent.
     fn default() -> SessionOptions {
         SessionOptions {
             charset: Charset::Utf8,
-            autosave: Some(Duration::from_secs(5)),
+            autosave: Some(Duration::from_millis(1500)),
             clipboard: true,
         }
     }
@@ -86,11 +86,12 @@ impl Session {
         let hook = Hook::install(mail.clone(), Arc::clone(&rescue));
         let guard = Guard::take().map_err(TermError::Setup)?;
         input::start(mail.clone()).map_err(TermError::Setup)?;
+        watch::start(Arc::clone(&host), mail.clone());
         let (ending, _meter) = Loop {
             program,
             stage: Tty,
             filing: Filing::open(Arc::clone(&host), mail.clone()),
-            host,
+            host: Arc::clone(&host),
             rescue: Arc::clone(&rescue),
             events,
             workshop: Workshop::open(mail),
@@ -99,6 +100,7 @@ impl Session {
             autosave: options.autosave,
             size: (0, 0),
             unkept_since: None,
+            kept_at: None,
             away: false,
             redraw: true,
             ending: None,
@@ -107,6 +109,7 @@ impl Session {
         // A signal from here on must not end the process before the terminal is given back.
         rescue.settle();
         drop(guard);
+        host.leave();
         rescue.end();
         drop(hook);
         Ok(ending)

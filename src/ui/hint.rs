@@ -10,20 +10,22 @@ use crate::app::{App, Level, Mode};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-/// Draws the title: program, file with a star for unsaved edits, mesh.
+/// Draws the title: program, file with a star for unsaved edits, how it stands on disk, mesh.
 pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     let file = match app.path() {
         Some(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
         None => "not saved to a file".to_string(),
     };
     let star = if app.edited() { " *" } else { "" };
+    let held = if app.holder().is_some() { "  read only" } else { "" };
+    let changed = if app.changed_on_disk() { "  changed on disk" } else { "" };
     let mesh = match app.result().mesh() {
         Some(mesh) => mesh.title().to_string(),
         None if app.empty() => String::new(),
         None => app.layout().mesh.clone(),
     };
     let room = usize::from(row.width);
-    let left = format!(" meshcast  {}{star}", cut(&file, room / 3));
+    let left = format!(" meshcast  {}{star}{held}{changed}", cut(&file, room / 3));
     let end = put(buf, row, 0, 0, &left, theme.title);
     let right = cut(&mesh, room.saturating_sub(usize::from(end) + 3));
     let row = Rect { width: row.width.saturating_sub(1), ..row };

@@ -91,8 +91,7 @@ pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
             } else {
                 compact::draw(app, middle, buf, &theme)
             };
-            let context = app.context();
-            let asked = context.and_then(|context| confirm::draw(context, middle, buf, &theme));
+            let asked = confirm::draw(app, middle, buf, &theme);
             let told = match app.mode() {
                 Mode::Tour { stop } => tour::draw(*stop, middle, buf, &theme),
                 _ => None,

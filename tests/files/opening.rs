@@ -1,6 +1,6 @@
 //! Trouble with the file itself, and what stands there when nothing is named.
 
-use meshcast::project::{self, Cause, Home, Overwrite};
+use meshcast::project::{self, Cause, Home, Overwrite, OwnRecovery};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -124,15 +124,19 @@ fn unsaved_work_is_kept_found_recovered_and_thrown_away() {
     let dir = tempfile::tempdir().unwrap();
     let home = Home::at(Some(dir.path().join("data")));
     let (path, opened) = open_copy(dir.path());
-    assert_eq!(opened.document.find_recovery(&home), None);
+    assert!(opened.document.find_recovery(&home).is_none());
     let mut edited = opened.project.clone();
     edited.layouts.swap(0, 1);
     edited.layouts[0].layout.plate = 0.2;
-    let kept = opened.document.keep(&edited, &home).unwrap();
+    let mut own = None;
+    let kept = opened.document.keep(&edited, &home, &mut own).unwrap();
     assert_eq!(kept, dir.path().join(".p.ron.recovery"));
     assert_eq!(fs::read_to_string(&path).unwrap(), sample(), "the file itself changed");
 
     let mut next = project::load(&path).unwrap();
+    // A living session's is offered to nobody.
+    assert!(next.document.find_recovery(&home).is_none());
+    drop(own);
     let found = next.document.find_recovery(&home).unwrap();
     assert!(found.written.is_some());
     let project = next.document.recover(&found).unwrap();
@@ -141,9 +145,9 @@ fn unsaved_work_is_kept_found_recovered_and_thrown_away() {
     assert!(next.document.save(&project, Overwrite::No).unwrap().comments_kept);
     let text = fs::read_to_string(&path).unwrap();
     assert!(text.find("Test 2").unwrap() < text.find("Table 1, test 1").unwrap(), "{text}");
-    // What is saved needs no recovery.
-    assert_eq!(next.document.find_recovery(&home), None);
-    next.document.discard_recovery(&home);
+    // What is saved needs no recovery, and is swept away.
+    drop(found);
+    assert!(next.document.find_recovery(&home).is_none());
     assert!(!kept.exists());
 }
 
@@ -155,22 +159,75 @@ fn work_is_kept_in_the_data_directory_where_there_is_no_better_place() {
     let opened = project::parse(&sample(), "sample").unwrap();
     let mut edited = opened.project.clone();
     edited.site = "unsaved".into();
-    let kept = opened.document.keep(&edited, &home).unwrap();
+    let kept = opened.document.keep(&edited, &home, &mut None).unwrap();
     assert!(kept.starts_with(data.join("recovery")));
     let found = opened.document.find_recovery(&home).unwrap();
     assert_eq!(opened.document.recover(&found).unwrap().site, "unsaved");
-    opened.document.discard_recovery(&home);
-    assert_eq!(opened.document.find_recovery(&home), None);
+    OwnRecovery::adopt(found, &opened.document).discard();
+    assert!(opened.document.find_recovery(&home).is_none());
 
     // The directory of the file is gone, as on a disk that was pulled out.
     let gone = dir.path().join("gone");
     fs::create_dir(&gone).unwrap();
     let (_, opened) = open_copy(&gone);
     fs::remove_dir_all(&gone).unwrap();
-    let kept = opened.document.keep(&edited, &home).unwrap();
+    let kept = opened.document.keep(&edited, &home, &mut None).unwrap();
     assert!(kept.starts_with(data.join("recovery")));
     assert_eq!(opened.document.find_recovery(&home).unwrap().path, kept);
-    assert!(opened.document.keep(&edited, &Home::at(None)).is_err());
+    assert!(opened.document.keep(&edited, &Home::at(None), &mut None).is_err());
+}
+
+#[test]
+fn each_session_of_a_file_keeps_its_work_in_a_file_of_its_own() {
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(Some(dir.path().join("data")));
+    let (_, opened) = open_copy(dir.path());
+    let with = |site: &str| project::Project { site: site.into(), ..opened.project.clone() };
+    let (mut first, mut second) = (None, None);
+    let of_first = opened.document.keep(&with("first"), &home, &mut first).unwrap();
+    let of_second = opened.document.keep(&with("second"), &home, &mut second).unwrap();
+    assert_eq!(of_second, dir.path().join(".p.ron.2.recovery"));
+    assert_eq!(opened.document.keep(&with("first again"), &home, &mut first).unwrap(), of_first);
+    assert!(fs::read_to_string(&of_first).unwrap().contains("first again"));
+    // The end of one leaves the other's alone.
+    second.take().unwrap().discard();
+    assert!(of_first.exists() && !of_second.exists());
+    // What has gone is made again.
+    fs::remove_file(&of_first).unwrap();
+    assert!(!first.as_ref().unwrap().stands());
+    assert_eq!(opened.document.keep(&with("first"), &home, &mut first).unwrap(), of_first);
+    assert!(first.as_ref().unwrap().stands());
+    // Lost ones are offered one at a time, to one session.
+    opened.document.keep(&with("second"), &home, &mut second).unwrap();
+    drop((first, second));
+    let offered = opened.document.find_recovery(&home).unwrap();
+    let other = opened.document.find_recovery(&home).unwrap();
+    assert_ne!(offered.path, other.path);
+    assert!(opened.document.find_recovery(&home).is_none());
+    // Who takes it back writes into it from then on.
+    let mut own = Some(OwnRecovery::adopt(offered, &opened.document));
+    let kept = opened.document.keep(&with("third"), &home, &mut own).unwrap();
+    assert!(fs::read_to_string(kept).unwrap().contains("third"));
+}
+
+#[cfg(unix)]
+#[test]
+fn kept_work_is_as_private_as_the_project() {
+    use std::os::unix::fs::PermissionsExt;
+    let dir = tempfile::tempdir().unwrap();
+    let home = Home::at(Some(dir.path().join("data")));
+    let (path, opened) = open_copy(dir.path());
+    let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+    for wanted in [0o600, 0o640, 0o664] {
+        fs::set_permissions(&path, fs::Permissions::from_mode(wanted)).unwrap();
+        let kept = opened.document.keep(&opened.project, &home, &mut None).unwrap();
+        assert_eq!(mode(&kept), wanted, "{wanted:o}");
+        fs::remove_file(kept).unwrap();
+    }
+    // Of a project in no file it is the user's alone.
+    let nowhere = project::parse(&sample(), "sample").unwrap();
+    let kept = nowhere.document.keep(&nowhere.project, &home, &mut None).unwrap();
+    assert_eq!(mode(&kept), 0o600);
 }
 
 #[test]

@@ -305,3 +305,63 @@ mod unix {
         }
     }
 }
+
+#[test]
+fn of_two_saves_at_one_moment_the_second_finds_the_first() {
+    for _ in 0..200 {
+        let (_dir, path, opened) = open();
+        let other = project::load(&path).unwrap();
+        let start = std::sync::Barrier::new(2);
+        let save = |opened: &Opened, plate: f64| {
+            let mut document = opened.document.clone();
+            let mut project = opened.project.clone();
+            project.layouts[0].layout.plate = plate;
+            start.wait();
+            document.save(&project, Overwrite::No)
+        };
+        let (one, two) = std::thread::scope(|scope| {
+            let one = scope.spawn(|| save(&opened, 0.31));
+            (save(&other, 0.33), one.join().unwrap())
+        });
+        let saved = [&one, &two].iter().filter(|result| result.is_ok()).count();
+        assert_eq!(saved, 1, "{one:?} {two:?}");
+        let refused = one.err().or(two.err()).unwrap();
+        assert!(matches!(refused, SaveError::ChangedOnDisk(_)), "{refused}");
+    }
+}
+
+#[test]
+fn of_two_new_files_of_one_name_the_second_finds_the_first() {
+    for _ in 0..200 {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("new.ron");
+        let start = std::sync::Barrier::new(2);
+        let make = || {
+            start.wait();
+            project::create(&path, &project::new_project("x"))
+        };
+        let (one, two) = std::thread::scope(|scope| {
+            let one = scope.spawn(make);
+            (make(), one.join().unwrap())
+        });
+        assert!(one.is_ok() != two.is_ok(), "{one:?} {two:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_save_would_lose_is_said_before() {
+    let (dir, path, mut opened) = open();
+    let other = dir.path().join("other.ron");
+    fs::hard_link(&path, &other).unwrap();
+    let before = fs::read(&path).unwrap();
+    let edited = edited(&opened.project);
+    let refused = opened.document.save(&edited, Overwrite::No).unwrap_err();
+    assert!(refused.to_string().contains("2 hard links"), "{refused}");
+    assert_eq!(fs::read(&path).unwrap(), before);
+    assert_eq!(names(dir.path()), ["other.ron", "p.ron"]);
+    opened.document.save(&edited, Overwrite::Yes).unwrap();
+    assert_eq!(fs::read(&other).unwrap(), before);
+    // It has one name now.
+    opened.document.save(&opened.project, Overwrite::No).unwrap();
+}

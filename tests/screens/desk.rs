@@ -1,7 +1,9 @@
 //! The screens around the work, by key script: settings, opening another project.
 
 use crate::harness::*;
-use meshcast::app::message::{Command, FoundProject, Message, OpenFailure, OpenedProject, Saved};
+use meshcast::app::message::{
+    Command, FoundProject, KeptEdits, Message, OpenFailure, OpenedProject, Saved,
+};
 use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
@@ -23,6 +25,7 @@ fn with(preferences: Preferences) -> App {
         path: Some(PathBuf::from("/site/road-cut.ron")),
         note: None,
         kept: None,
+        holder: None,
         look: preferences.look(&preferences.effective()),
         units: preferences.effective().units,
         size: (80, 24),
@@ -41,7 +44,7 @@ fn settings_hold_at_once_and_are_kept() {
     let mut app = app();
     let effects = press(&mut app, ":set fidelity quick<Enter>");
     assert!(
-        matches!(&effects[..], [Command::KeepSettings { settings }] if settings.fidelity == Fidelity::Quick)
+        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Fidelity::Quick)
     );
     assert_eq!(app.settings().fidelity, Fidelity::Quick);
     press(&mut app, ":set units mm<Enter>");
@@ -72,7 +75,7 @@ fn the_screen_of_settings() {
     // The arrow goes on from what the flag says; the flag is gone then.
     let effects = press(&mut app, "<Left>");
     assert!(
-        matches!(&effects[..], [Command::KeepSettings { settings }] if settings.fidelity == Fidelity::Standard)
+        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Fidelity::Standard)
     );
     assert!(!app.preferences().is_flag(SettingItem::Fidelity));
     press(&mut app, "jj<Right>q");
@@ -86,7 +89,7 @@ fn a_flag_is_never_kept() {
     let mut app = with(Preferences { flags, ..Preferences::default() });
     assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
     let effects = press(&mut app, ":set live on<Enter>");
-    let [Command::KeepSettings { settings }, ..] = &effects[..] else { panic!("{effects:?}") };
+    let [Command::KeepSettings { settings, .. }, ..] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
     assert_eq!(app.settings().runs, Some(3));
 }
@@ -107,6 +110,7 @@ fn a_bad_file_of_settings_is_told_in_full() {
         path: None,
         note: Some("settings.ron line 5, fidelity: fast is none of ...".into()),
         kept: None,
+        holder: None,
         look: MONO,
         units: None,
         size: (80, 24),
@@ -149,6 +153,7 @@ fn other() -> OpenedProject {
         path: "/site/north/north-side.ron".into(),
         note: None,
         kept: None,
+        holder: None,
     }
 }
 
@@ -221,6 +226,7 @@ fn saving_first_and_then_opening() {
         let failure = meshcast::app::message::SaveFailure {
             message: "changed by something else".into(),
             overwrite_helps: true,
+            holder: None,
             path: None,
         };
         app.update(Message::Saved(Err(failure)));
@@ -240,6 +246,7 @@ fn saving_first_and_then_opening() {
     let failure = meshcast::app::message::SaveFailure {
         message: "the disk is full".into(),
         overwrite_helps: false,
+        holder: None,
         path: None,
     };
     assert!(app.update(Message::Saved(Err(failure))).is_empty());
@@ -293,7 +300,8 @@ fn text_that_fits_nothing_is_a_path() {
 fn edits_kept_of_the_opened_project_are_offered() {
     let mut app = app();
     press(&mut app, ":open north.ron<Enter>");
-    let kept = Some(Arc::new(Project::starter("North side, mended")));
+    let project = Arc::new(Project::starter("North side, mended"));
+    let kept = Some(KeptEdits { project, about: vec!["They are of yesterday.".into()] });
     app.update(Message::Opened(Ok(OpenedProject { kept, ..other() })));
     assert!(text(&app).contains("was cut off"));
     press(&mut app, "r");
@@ -387,7 +395,7 @@ fn the_tour_is_shown_once_in_at_most_five_screens() {
     }
     press(&mut app, "<Left><Right>");
     let effects = press(&mut app, "<Enter>");
-    assert!(matches!(&effects[..], [Command::KeepSettings { settings }] if settings.tour_seen));
+    assert!(matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.tour_seen));
     assert!(matches!(app.mode(), Mode::Main));
     // Shown again when asked for; seen once is seen.
     press(&mut app, ":tour<Enter>");
@@ -440,7 +448,8 @@ fn while_another_project_is_read_the_present_one_goes_on() {
     assert!(press(&mut app, "<C-s>").is_empty());
     assert!(text(&app).contains("north.ron is being opened; wait for it"));
     // The edit was made after it was asked for, and is asked about.
-    assert!(app.update(Message::Opened(Ok(other()))).is_empty());
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(matches!(effects[..], [Command::LetGo]), "{effects:?}");
     assert!(app.edited() && app.project().name == "Road cut");
     assert_eq!(opens(&press(&mut app, "d")), Path::new("north.ron"));
     let effects = app.update(Message::Opened(Ok(other())));
@@ -453,7 +462,8 @@ fn a_project_that_was_left_again_is_not_opened() {
     let mut app = app();
     with_list(&mut app);
     press(&mut app, "nor<Enter><Esc>");
-    assert!(app.update(Message::Opened(Ok(other()))).is_empty());
+    let effects = app.update(Message::Opened(Ok(other())));
+    assert!(matches!(effects[..], [Command::LetGo]), "{effects:?}");
     assert_eq!(app.project().name, "Road cut");
 }
 

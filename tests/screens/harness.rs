@@ -42,6 +42,7 @@ pub(crate) fn start(project: Project, size: (u16, u16), look: Look) -> App {
         path: Some(PathBuf::from("/site/road-cut.ron")),
         note: None,
         kept: None,
+        holder: None,
         look,
         units: None,
         size,

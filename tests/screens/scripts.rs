@@ -2,7 +2,7 @@
 
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::message::{Command, Message, SaveFailure, Saved};
+use meshcast::app::message::{Command, KeptEdits, Message, SaveFailure, Saved};
 use meshcast::app::settings::Preferences;
 use meshcast::layout::BranchRule;
 use meshcast::units::LengthUnit;
@@ -141,6 +141,7 @@ fn a_unit_from_the_command_line_is_not_saved() {
         path: None,
         note: None,
         kept: None,
+        holder: None,
         look: COLOR,
         units: Some(LengthUnit::Millimetre),
         size: (80, 24),
@@ -278,6 +279,7 @@ fn a_failed_save_keeps_the_program_open_and_says_why() {
     let effects = app.update(Message::Saved(Err(SaveFailure {
         message: "the disk is full".into(),
         overwrite_helps: false,
+        holder: None,
         path: None,
     })));
     assert!(effects.is_empty());
@@ -292,6 +294,7 @@ fn a_file_that_changed_on_disk_is_overwritten_only_when_told() {
     app.update(Message::Saved(Err(SaveFailure {
         message: "the file changed on disk since it was opened".into(),
         overwrite_helps: true,
+        holder: None,
         path: None,
     })));
     assert!(text(&app).contains("replace the file on disk"), "{}", text(&app));
@@ -308,7 +311,8 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
             project: Arc::new(road_cut()),
             path: Some(PathBuf::from("/site/road-cut.ron")),
             note: None,
-            kept: Some(Arc::new(kept.clone())),
+            kept: Some(KeptEdits { project: Arc::new(kept.clone()), about: Vec::new() }),
+            holder: None,
             look: COLOR,
             units: None,
             size: (80, 24),
@@ -317,13 +321,13 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
     };
     let mut app = open();
     assert!(text(&app).contains("cut off"));
-    press(&mut app, "r");
+    assert!(matches!(press(&mut app, "r")[..], [Command::TakeKept]));
     assert_eq!(app.layout().layout.plate, 0.3);
     assert!(app.edited());
     press(&mut app, "u");
     assert_eq!(app.layout().layout.plate, 0.25);
     let mut app = open();
-    assert!(matches!(press(&mut app, "d")[..], [Command::ForgetRecovery]));
+    assert!(matches!(press(&mut app, "d")[..], [Command::DropKept]));
     assert!(!app.edited());
 }
 

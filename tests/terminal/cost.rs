@@ -38,6 +38,7 @@ impl Bench {
             path: Some("/site/road-cut.ron".into()),
             note: None,
             kept: None,
+            holder: None,
             look,
             units: None,
             size,

@@ -46,6 +46,8 @@ pub enum Action {
     Discard,
     Overwrite,
     Restore,
+    TakeOver,
+    Reload,
     Check,
     CheckAll,
     Live,

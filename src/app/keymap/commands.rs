@@ -14,6 +14,8 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "w", help: "save" },
     CommandHelp { form: "w PATH", help: "save to another file and go on with that one" },
     CommandHelp { form: "w!", help: "save over a file that changed on disk" },
+    CommandHelp { form: "own", help: "take the file over from the session that holds it" },
+    CommandHelp { form: "reload", help: "read the file anew, as another program left it" },
     CommandHelp { form: "wq", help: "save and quit (also :x)" },
     CommandHelp { form: "q", help: "quit; asks when edits are unsaved" },
     CommandHelp { form: "q!", help: "quit without saving" },

@@ -17,6 +17,8 @@ pub enum Context {
     ConfirmOverwrite,
     /// The question whether to take back edits kept from a session that was cut off.
     ConfirmRecovery,
+    /// The question before taking a file over from another session.
+    ConfirmTakeOver,
     /// The list of settings.
     Settings,
     /// The list of projects to open.
@@ -39,7 +41,7 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub(crate) const ALL: [Context; 16] = [
+    pub(crate) const ALL: [Context; 17] = [
         Context::Main,
         Context::Empty,
         Context::Pager,
@@ -47,6 +49,7 @@ impl Context {
         Context::ConfirmQuit,
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
+        Context::ConfirmTakeOver,
         Context::Settings,
         Context::Open,
         Context::ConfirmOpen,
@@ -74,6 +77,7 @@ impl Context {
             Context::ConfirmQuit => "Unsaved edits",
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",
+            Context::ConfirmTakeOver => "File held by another session",
             Context::Settings => "Settings",
             Context::Open => "List of projects",
             Context::ConfirmOpen => "Unsaved edits before opening",

@@ -60,6 +60,7 @@ pub(super) const fn own(context: Context) -> &'static [Binding] {
         Context::ConfirmQuit => CONFIRM_QUIT,
         Context::ConfirmOverwrite => CONFIRM_OVERWRITE,
         Context::ConfirmRecovery => CONFIRM_RECOVERY,
+        Context::ConfirmTakeOver => CONFIRM_TAKE_OVER,
         Context::Settings => SETTINGS,
         Context::Open => OPEN,
         Context::ConfirmOpen => CONFIRM_OPEN,
@@ -169,7 +170,15 @@ const CONFIRM_QUIT: &[Binding] = &[
 #[rustfmt::skip]
 const CONFIRM_OVERWRITE: &[Binding] = &[
     k(A::Overwrite, &[c('o')],                         "overwrite",   "replace the file on disk with this project"),
+    k(A::Reload,    &[c('r')],                         "reload",      "read the file on disk anew; the edits here are let go"),
     k(A::Close,     &[ESC, ctrl('g'), c('q'), ctrl('c')], "do not save", "do not save; :w PATH saves elsewhere"),
+];
+
+/// Take the file over from the session that holds it?
+#[rustfmt::skip]
+const CONFIRM_TAKE_OVER: &[Binding] = &[
+    k(A::TakeOver, &[c('t')],                         "take over",   "take the file over and save; the other session only reads then"),
+    k(A::Close,    &[ESC, ctrl('g'), c('q'), ctrl('c')], "do not save", "do not save; :w PATH saves elsewhere"),
 ];
 
 /// Take back edits of a session that was cut off?

@@ -11,7 +11,7 @@ impl App {
     /// The words there are.
     fn set_setting(&mut self, item: SettingItem, word: &str) -> Result<Vec<Command>, String> {
         let settings = self.choices.set(item, word)?;
-        let mut commands = vec![Command::KeepSettings { settings }];
+        let mut commands = vec![Command::KeepSettings { changed: item, settings }];
         match item {
             SettingItem::Units => self.editor.show_units(self.settings().units),
             SettingItem::Glyphs => self.screen.set_glyphs(self.choices.look().glyphs),

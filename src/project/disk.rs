@@ -1,0 +1,269 @@
+//! What the system knows of files beyond the standard library: which file it is, mode, owner, attributes.
+
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::path::Path;
+use std::time::SystemTime;
+
+/// What tells one state of a file from another without reading it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct FileStamp {
+    modified: Option<SystemTime>,
+    length: u64,
+    number: u64,
+}
+
+impl FileStamp {
+    /// Of the file at a path; none where there is none.
+    pub(crate) fn of(path: &Path) -> Option<FileStamp> {
+        let about = std::fs::metadata(path).ok()?;
+        let number = system::number(&about);
+        Some(FileStamp { modified: about.modified().ok(), length: about.len(), number })
+    }
+}
+
+pub(super) use system::{
+    dress, links, open, private, rename_to_free, runs, same_place, sync_directory, user_and_host,
+};
+
+/// Opens a file to be read and locked, for writing too where that is allowed: some disks lock nothing
+/// else. Never waits for anybody, as a pipe would have it.
+fn open_with(path: &Path, options: impl Fn(&mut OpenOptions)) -> io::Result<File> {
+    let open = |write: bool| {
+        let mut asked = OpenOptions::new();
+        asked.read(true).write(write);
+        options(&mut asked);
+        asked.open(path)
+    };
+    open(true).or_else(|error| match error.kind() {
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => open(false),
+        _ => Err(error),
+    })
+}
+
+#[cfg(unix)]
+mod system {
+    use rustix::fs::{
+        Mode, fchmod, fchown, fgetxattr, fgetxattr_query, flistxattr, flistxattr_query, fsetxattr,
+    };
+    use rustix::fs::{XattrFlags, fstat};
+    use rustix::io::Errno;
+    use std::ffi::CStr;
+    use std::fs::{self, File, OpenOptions};
+    use std::io;
+    use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+    use std::path::Path;
+
+    /// Most bytes of names or of one value of attributes that are carried along.
+    const MOST_BYTES: usize = 64 * 1024;
+
+    pub(in crate::project) fn open(path: &Path) -> io::Result<File> {
+        super::open_with(path, |options| {
+            options.custom_flags(libc::O_NONBLOCK);
+        })
+    }
+
+    /// A new file is to be the user's alone.
+    pub(in crate::project) fn private(options: &mut OpenOptions, private: bool) {
+        if private {
+            options.mode(0o600);
+        }
+    }
+
+    /// Whether an open file still stands at a path.
+    pub(in crate::project) fn same_place(file: &File, path: &Path) -> bool {
+        match (file.metadata(), fs::symlink_metadata(path)) {
+            (Ok(a), Ok(b)) => (a.dev(), a.ino()) == (b.dev(), b.ino()),
+            _ => false,
+        }
+    }
+
+    /// The number by which the disk knows a file.
+    pub(super) fn number(about: &fs::Metadata) -> u64 {
+        about.ino()
+    }
+
+    /// How many names a file has.
+    pub(in crate::project) fn links(file: &File) -> u64 {
+        file.metadata().map_or(1, |about| about.nlink())
+    }
+
+    /// Gives a file mode, owner and attributes of another one; what it cannot have, in words.
+    pub(in crate::project) fn dress(file: &File, like: &File) -> io::Result<Vec<String>> {
+        let (old, new) = (fstat(like)?, fstat(file)?);
+        if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid) {
+            // Only root may give files away; the group is worth a try of its own.
+            let group = Some(rustix::fs::Gid::from_raw(old.st_gid));
+            let owner = Some(rustix::fs::Uid::from_raw(old.st_uid));
+            let _ = fchown(file, owner, group).or_else(|_| fchown(file, None, group));
+        }
+        fchmod(file, Mode::from_raw_mode(old.st_mode))?;
+        let mut lost = Vec::new();
+        for name in names(like) {
+            let Ok(name) = CStr::from_bytes_with_nul(&name) else { continue };
+            if value(like, name) != value(file, name) && !carry(like, file, name) {
+                let shown = name.to_string_lossy();
+                lost.push(match shown.as_ref() {
+                    "system.posix_acl_access" | "system.nfs4_acl" => "its access list".to_owned(),
+                    _ => format!("its attribute {shown}"),
+                });
+            }
+        }
+        Ok(lost)
+    }
+
+    /// Names of a file's attributes, each with its zero; none where the disk has no attributes.
+    fn names(file: &File) -> Vec<Vec<u8>> {
+        let size = flistxattr_query(file).unwrap_or(0).min(MOST_BYTES);
+        let mut bytes = vec![0_u8; size];
+        let Ok(size) = flistxattr(file, &mut bytes[..]) else { return Vec::new() };
+        bytes.truncate(size);
+        bytes.split_inclusive(|b| *b == 0).map(<[u8]>::to_vec).collect()
+    }
+
+    fn value(file: &File, name: &CStr) -> Result<Vec<u8>, Errno> {
+        let size = fgetxattr_query(file, name)?;
+        let mut bytes = vec![0_u8; size.min(MOST_BYTES)];
+        let size = fgetxattr(file, name, &mut bytes[..])?;
+        bytes.truncate(size);
+        Ok(bytes)
+    }
+
+    fn carry(from: &File, to: &File, name: &CStr) -> bool {
+        value(from, name).and_then(|value| fsetxattr(to, name, &value, XattrFlags::empty())).is_ok()
+    }
+
+    /// Gives a file a name that must be free.
+    #[cfg(any(target_os = "linux", target_os = "android"))]
+    pub(in crate::project) fn rename_to_free(from: &Path, to: &Path) -> io::Result<()> {
+        use rustix::fs::{CWD, RenameFlags, renameat_with};
+        match renameat_with(CWD, from, CWD, to, RenameFlags::NOREPLACE) {
+            Err(Errno::INVAL | Errno::NOSYS | Errno::OPNOTSUPP) => link(from, to),
+            other => Ok(other?),
+        }
+    }
+
+    #[cfg(not(any(target_os = "linux", target_os = "android")))]
+    pub(in crate::project) use link as rename_to_free;
+
+    /// A second name, which must be free, and the first one taken away. Where the disk has no second
+    /// names there is a moment in which somebody else's new file could be replaced.
+    pub(in crate::project) fn link(from: &Path, to: &Path) -> io::Result<()> {
+        match fs::hard_link(from, to) {
+            Ok(()) => fs::remove_file(from),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
+            Err(_) if fs::symlink_metadata(to).is_ok() => Err(io::ErrorKind::AlreadyExists.into()),
+            Err(_) => fs::rename(from, to),
+        }
+    }
+
+    /// Brings a directory to the disk. A disk that knows no such thing is none to complain of, nor is
+    /// a directory that may not be opened.
+    pub(in crate::project) fn sync_directory(dir: &Path) -> io::Result<()> {
+        let Ok(opened) = File::open(dir) else { return Ok(()) };
+        match opened.sync_all() {
+            Err(error) if harmless(&error) => Ok(()),
+            other => other,
+        }
+    }
+
+    fn harmless(error: &io::Error) -> bool {
+        let known = [Errno::INVAL, Errno::NOSYS, Errno::OPNOTSUPP, Errno::ROFS, Errno::BADF];
+        Errno::from_io_error(error).is_some_and(|errno| known.contains(&errno))
+    }
+
+    /// Whether a process of this machine is there.
+    pub(in crate::project) fn runs(process: u32) -> bool {
+        let id = i32::try_from(process).ok().and_then(rustix::process::Pid::from_raw);
+        id.is_some_and(|id| rustix::process::test_kill_process(id) != Err(Errno::SRCH))
+    }
+
+    /// The user and the machine, for people.
+    pub(in crate::project) fn user_and_host() -> (String, String) {
+        let named = ["USER", "LOGNAME"].iter().find_map(|name| std::env::var(name).ok());
+        let named = named.filter(|name| !name.trim().is_empty());
+        let user = named.unwrap_or_else(|| format!("user {}", rustix::process::getuid().as_raw()));
+        let host = rustix::system::uname().nodename().to_string_lossy().into_owned();
+        (user, host)
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn a_fault_of_the_disk_is_told_apart_from_a_disk_that_cannot() {
+            assert!(harmless(&Errno::INVAL.into()));
+            for errno in [Errno::IO, Errno::NOSPC, Errno::DQUOT, Errno::STALE] {
+                assert!(!harmless(&errno.into()), "{errno:?}");
+            }
+        }
+
+        #[test]
+        fn attributes_go_along() {
+            let dir = tempfile::tempdir().unwrap();
+            let make = |name: &str| {
+                let path = dir.path().join(name);
+                OpenOptions::new().read(true).write(true).create_new(true).open(path).unwrap()
+            };
+            let (old, new) = (make("old"), make("new"));
+            if fsetxattr(&old, c"user.note", b"north", XattrFlags::empty()).is_err() {
+                // This disk keeps none.
+                return;
+            }
+            assert_eq!(dress(&new, &old).unwrap(), Vec::<String>::new());
+            assert_eq!(value(&new, c"user.note").unwrap(), b"north");
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod system {
+    use std::fs::{self, File, OpenOptions};
+    use std::io;
+    use std::path::Path;
+
+    pub(in crate::project) fn open(path: &Path) -> io::Result<File> {
+        super::open_with(path, |_| {})
+    }
+
+    pub(in crate::project) fn private(_options: &mut OpenOptions, _private: bool) {}
+
+    /// An open file cannot be replaced here.
+    pub(in crate::project) fn same_place(_file: &File, path: &Path) -> bool {
+        path.exists()
+    }
+
+    pub(super) fn number(_about: &fs::Metadata) -> u64 {
+        0
+    }
+
+    pub(in crate::project) fn links(_file: &File) -> u64 {
+        1
+    }
+
+    pub(in crate::project) fn dress(_file: &File, _like: &File) -> io::Result<Vec<String>> {
+        Ok(Vec::new())
+    }
+
+    pub(in crate::project) fn rename_to_free(from: &Path, to: &Path) -> io::Result<()> {
+        if to.exists() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        fs::rename(from, to)
+    }
+
+    pub(in crate::project) fn sync_directory(_dir: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Nothing is known of it.
+    pub(in crate::project) fn runs(_process: u32) -> bool {
+        true
+    }
+
+    pub(in crate::project) fn user_and_host() -> (String, String) {
+        let named = |name: &str| std::env::var(name).unwrap_or_else(|_| "somebody".to_owned());
+        (named("USERNAME"), named("COMPUTERNAME"))
+    }
+}
