@@ -17,13 +17,21 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 
 /// Gives the terminal back as it was: raw mode off, attributes reset, cursor shown, pastes plain,
 /// alternate screen left. Does nothing when that has been done, and never fails: quit, error, panic,
-/// signals and suspend all come through here, perhaps at once and perhaps without a terminal.
-pub(crate) fn restore() {
-    if TAKEN.swap(false, Ordering::SeqCst) {
+/// signals and suspend all come through here, perhaps at once and perhaps without a terminal. Whether it
+/// was this call that did it.
+pub(crate) fn restore() -> bool {
+    let taken = TAKEN.swap(false, Ordering::SeqCst);
+    if taken {
         // Both may fail on a terminal that is gone, and then there is nobody to tell.
         let _ = modes::back();
         let _ = tty::write_all(LEAVE);
     }
+    taken
+}
+
+/// Whether the terminal is ours now.
+pub(super) fn is_taken() -> bool {
+    TAKEN.load(Ordering::SeqCst)
 }
 
 /// Takes the terminal, also when it was taken before: after a stop from outside its modes are unknown.

@@ -17,6 +17,7 @@
 //! nothing differs, nothing is sent.
 
 #[cfg(unix)]
+mod abort;
 mod bursts;
 pub mod capabilities;
 mod cells;

@@ -12,7 +12,7 @@ use super::rescue::Rescue;
 use super::run::{Ending, Loop, Stage};
 use super::signals::suspend;
 use super::workshop::Workshop;
-use super::{input, signals, tty, watch};
+use super::{abort, input, signals, tty, watch};
 use std::io::{self, IsTerminal};
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
@@ -83,6 +83,7 @@ impl Session {
         let rescue = Arc::new(Rescue::new(Arc::clone(&host)));
         // From here on a signal finds somebody who restores the terminal.
         signals::start(mail.clone(), Arc::clone(&rescue)).map_err(TermError::Setup)?;
+        abort::start(Arc::clone(&rescue)).map_err(TermError::Setup)?;
         let hook = Hook::install(mail.clone(), Arc::clone(&rescue));
         let guard = Guard::take().map_err(TermError::Setup)?;
         input::start(mail.clone()).map_err(TermError::Setup)?;
@@ -125,7 +126,8 @@ impl Stage for Tty {
     }
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
-        tty::write_all(bytes)
+        // It may have been given back by another thread: the process is about to end.
+        if guard::is_taken() { tty::write_all(bytes) } else { Ok(()) }
     }
 
     fn take(&mut self) -> io::Result<()> {

@@ -169,6 +169,13 @@ impl Toy {
             Code::Char('w') => {
                 std::thread::spawn(|| panic!("the worker broke"));
             }
+            Code::Char('o') => {
+                std::thread::spawn(|| println!("{}", deep(1)));
+            }
+            Code::Char('O') => println!("{}", deep(1)),
+            Code::Char('a') => {
+                std::thread::spawn(|| std::process::abort());
+            }
             Code::Char('m') => {
                 let mail = self.mail.clone();
                 std::thread::spawn(move || mail.send(Message::Trouble("a letter".to_owned())));
@@ -178,6 +185,12 @@ impl Toy {
         }
         Vec::new()
     }
+}
+
+/// Calls itself until the stack is used up.
+fn deep(level: u64) -> u64 {
+    let room = std::hint::black_box([level; 64]);
+    if level == 0 { 0 } else { deep(level + 1) + room[63] }
 }
 
 struct Files {

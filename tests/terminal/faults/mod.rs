@@ -1,6 +1,7 @@
 //! Faults that were found in use or by attack, each in a file of its own: what was seen, why, and the
 //! test that fails where it comes back.
 
+mod aborts;
 mod bad_start;
 mod bursts;
 mod cursor;
