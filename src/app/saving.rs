@@ -10,8 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What follows from another session's holding the file.
-pub(crate) const READS_ONLY: &str =
-    "this session only reads; :own takes it over, :w PATH saves elsewhere";
+pub(crate) const READS_ONLY: &str = "read only; :own takes it over";
 
 impl App {
     /// Saves, to the project's own file or to another one.

@@ -191,7 +191,7 @@ fn held_by(path: &Path, former: &File) -> Option<Holder> {
 }
 
 fn read(path: &Path) -> Option<Holder> {
-    known(&load::read_bytes(path).ok()?).ok()
+    known(&load::read_within(path, load::LARGEST_OWN_FILE).ok()?).ok()
 }
 
 fn put(path: &Path, place: Place) -> io::Result<File> {

@@ -23,17 +23,25 @@ impl FileStamp {
 }
 
 pub(super) use system::{
-    dress, links, open, private, rename_to_free, runs, same_place, sync_directory, user_and_host,
+    dress, links, private, rename_to_free, runs, same_place, sync_directory, user_and_host,
 };
+
+/// Opens a file to be read, without waiting for whoever writes a pipe.
+pub(super) fn open_to_read(path: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true);
+    system::never_wait(&mut options);
+    options.open(path)
+}
 
 /// Opens a file to be read and locked, for writing too where that is allowed: some disks lock nothing
 /// else. Never waits for anybody, as a pipe would have it.
-fn open_with(path: &Path, options: impl Fn(&mut OpenOptions)) -> io::Result<File> {
+pub(super) fn open(path: &Path) -> io::Result<File> {
     let open = |write: bool| {
-        let mut asked = OpenOptions::new();
-        asked.read(true).write(write);
-        options(&mut asked);
-        asked.open(path)
+        let mut options = OpenOptions::new();
+        options.read(true).write(write);
+        system::never_wait(&mut options);
+        options.open(path)
     };
     open(true).or_else(|error| match error.kind() {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => open(false),
@@ -57,10 +65,8 @@ mod system {
     /// Most bytes of names or of one value of attributes that are carried along.
     const MOST_BYTES: usize = 64 * 1024;
 
-    pub(in crate::project) fn open(path: &Path) -> io::Result<File> {
-        super::open_with(path, |options| {
-            options.custom_flags(libc::O_NONBLOCK);
-        })
+    pub(super) fn never_wait(options: &mut OpenOptions) {
+        options.custom_flags(libc::O_NONBLOCK);
     }
 
     /// A new file is to be the user's alone.
@@ -223,9 +229,7 @@ mod system {
     use std::io;
     use std::path::Path;
 
-    pub(in crate::project) fn open(path: &Path) -> io::Result<File> {
-        super::open_with(path, |_| {})
-    }
+    pub(super) fn never_wait(_options: &mut OpenOptions) {}
 
     pub(in crate::project) fn private(_options: &mut OpenOptions, _private: bool) {}
 

@@ -8,7 +8,7 @@ use super::document::{self, Opened};
 use super::draft::{sweep, write_atomically};
 use super::error::{Cause, LoadError};
 use super::hold::rewrite;
-use super::load;
+use super::load::{LARGEST_OWN_FILE, read_within};
 use super::read;
 use super::text::parser;
 use serde::de::DeserializeOwned;
@@ -175,7 +175,7 @@ impl Home {
     /// What is wrong with the file, in a few words.
     fn state(&self) -> Result<State, String> {
         let Some(file) = self.state_file() else { return Ok(State::default()) };
-        match load::read_bytes(&file) {
+        match read_within(&file, LARGEST_OWN_FILE) {
             Ok(bytes) => known(&bytes)
                 .map_err(|()| format!("{} cannot be read and begins anew", file.display())),
             Err(error) if error.cause == Cause::NotFound => Ok(State::default()),
@@ -186,6 +186,9 @@ impl Home {
 
 /// What a file of the program's own holds, as far as this version knows it.
 pub(super) fn known<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, ()> {
+    if bytes.len() as u64 > LARGEST_OWN_FILE {
+        return Err(());
+    }
     let text = std::str::from_utf8(bytes).map_err(|_| ())?;
     let tree = parser::parse(text).map_err(|_| ())?;
     read::what_is_known(text, &tree.root).ok_or(())

@@ -1,17 +1,20 @@
 //! File to project: reads, migrates and checks, and reports all that is wrong at its place.
 
 use super::decode;
+use super::disk;
 use super::error::{Cause, FileFault, Found, LoadError};
 use super::migrate;
 use super::schema::{CURRENT_VERSION, Project};
 use super::text::{self, Tree, parser};
 use crate::problem::Problem;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-/// Largest project file, in bytes.
+/// Largest project file, in bytes. It bounds the time as well: the worst of this size takes some seconds.
 pub(crate) const LARGEST_FILE: u64 = 4 * 1024 * 1024;
+/// Largest file of the program's own, such as the settings: it is read at every start.
+pub(super) const LARGEST_OWN_FILE: u64 = 64 * 1024;
 
 /// Most faults that an error holds; it shows fewer, and counts the rest.
 const MOST_FAULTS: usize = 50;
@@ -29,8 +32,14 @@ pub(crate) struct Parsed {
     pub(crate) migrated_from: Option<u32>,
 }
 
-/// Reads a file whole, within the limit.
+/// Reads a project file, or another one that a user keeps, whole and within the limit.
 pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, LoadError> {
+    read_within(path, LARGEST_FILE)
+}
+
+/// The one door through which files come in, whatever they are: an ordinary file of no more than a
+/// size. What is read as RON behind it has the limits of [`text::parser`], whoever reads it.
+pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadError> {
     let shown = path.display().to_string();
     let fail = |cause: Cause, said: &str, advice: String| {
         LoadError::new(&shown, cause, vec![FileFault::whole(said, advice)])
@@ -60,12 +69,17 @@ pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, LoadError> {
         return Err(fail(Cause::BadInput, "this is no ordinary file", String::new()));
     }
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(io)?;
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(io)?;
-    if bytes.len() as u64 > LARGEST_FILE {
+    // What was an ordinary file a moment ago may be a pipe by now, which must not be waited for.
+    let file = disk::open_to_read(path).map_err(io)?;
+    file.take(largest + 1).read_to_end(&mut bytes).map_err(io)?;
+    if bytes.len() as u64 > largest {
+        let size = match largest / 1024 {
+            kib if kib < 1024 => format!("{kib} KiB"),
+            kib => format!("{} MiB", kib / 1024),
+        };
         return Err(fail(
             Cause::BadInput,
-            &format!("the file is larger than {} MiB", LARGEST_FILE / 1024 / 1024),
+            &format!("the file is larger than {size}"),
             "a project is a text of some kilobytes; is this the right file?".to_string(),
         ));
     }
@@ -144,5 +158,78 @@ impl Reading<'_> {
         });
         let cause = if newer { Cause::Newer } else { Cause::BadInput };
         LoadError { more, ..LoadError::new(self.shown, cause, faults.collect()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::home::Home;
+    use super::super::settings::KnownSettings;
+    use super::super::{Document, document, load_wire};
+    use super::*;
+    use std::path::PathBuf;
+
+    /// Makes something that is no good file at a path.
+    type Bad = (&'static str, fn(&Path));
+
+    const BAD: &[Bad] = &[
+        ("deep", |path| fs::write(path, "{".repeat(20_000)).unwrap()),
+        ("large", |path| fs::write(path, vec![b' '; LARGEST_FILE as usize + 1]).unwrap()),
+        ("no text", |path| fs::write(path, b"\xff\0(").unwrap()),
+        ("a directory", |path| fs::create_dir(path).unwrap()),
+        #[cfg(unix)]
+        ("a pipe", |path| {
+            use rustix::fs::{CWD, FileType, Mode, mknodat};
+            mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).unwrap();
+        }),
+    ];
+
+    fn good(dir: &Path) -> (PathBuf, Document) {
+        let path = dir.join("p.ron");
+        fs::write(&path, super::super::new_project("P")).unwrap();
+        let document = document::load(&path).unwrap().document;
+        (path, document)
+    }
+
+    /// The files that are read, and what must not come of a bad one. A pipe must not be waited for.
+    #[test]
+    fn every_file_comes_in_by_the_same_door() {
+        for (what, make) in BAD {
+            let dir = tempfile::tempdir().unwrap();
+            let home = Home::at(Some(dir.path().join("data")));
+            fs::create_dir(dir.path().join("data")).unwrap();
+            let bad = |name: &str| {
+                let path = dir.path().join(name);
+                make(&path);
+                path
+            };
+            assert!(document::load(&bad("project.ron")).is_err(), "{what}");
+            assert!(load_wire(&bad("wire.ron")).is_err(), "{what}");
+            let (path, document) = good(dir.path());
+            bad(".p.ron.recovery");
+            let kept = document.find_recovery(&home);
+            assert!(kept.is_none_or(|kept| document.recover(&kept).is_err()), "{what}");
+            bad(".p.ron.lock");
+            assert!(super::super::claim(&path, &home, false).holder().is_none(), "{what}");
+            bad("data/state.ron");
+            assert!(home.recent().is_empty(), "{what}");
+            assert!(home.start_project().unwrap().note.is_some(), "{what}");
+            bad("data/settings.ron");
+            let known: &[KnownSettings] = &[];
+            assert!(home.settings(known).is_err(), "{what}");
+        }
+    }
+
+    #[test]
+    fn files_of_the_programs_own_are_small() {
+        let dir = tempfile::tempdir().unwrap();
+        let home = Home::at(Some(dir.path().to_path_buf()));
+        let many = "\"/a/b.ron\", ".repeat(20_000);
+        fs::write(dir.path().join("state.ron"), format!("(recent: [{many}])")).unwrap();
+        let note = home.start_project().unwrap().note.unwrap();
+        assert!(note.contains("larger than 64 KiB"), "{note}");
+        // The next project that is opened makes it anew.
+        assert!(home.remember(Path::new("/c/d.ron")).unwrap());
+        assert_eq!(home.recent(), [PathBuf::from("/c/d.ron")]);
     }
 }

@@ -159,7 +159,7 @@ impl Home {
     ) -> Result<Option<SettingWords>, LoadError> {
         let Some(path) = self.settings_file() else { return Ok(None) };
         let shown = path.display().to_string();
-        match load::read_bytes(&path) {
+        match load::read_within(&path, load::LARGEST_OWN_FILE) {
             Ok(bytes) => read(&load::decode_utf8(bytes, &shown)?, &shown, known).map(Some),
             Err(error) if error.cause == Cause::NotFound => Ok(None),
             Err(error) => Err(error),
@@ -184,7 +184,8 @@ impl Home {
         let path = resolve(&path).unwrap_or(path);
         let mut aside = None;
         rewrite(&path, |old| {
-            let text = old.and_then(|bytes| std::str::from_utf8(bytes).ok());
+            let small = old.filter(|bytes| bytes.len() as u64 <= load::LARGEST_OWN_FILE);
+            let text = small.and_then(|bytes| std::str::from_utf8(bytes).ok());
             let words = text.and_then(|text| read_as(text, known));
             if let (Some(bad), None) = (old, &words) {
                 let place = path.with_extension("ron.unread");
