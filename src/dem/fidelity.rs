@@ -3,6 +3,7 @@
 use super::fast::Path;
 use super::inertia::StepFactors;
 use super::lattice::Role;
+use super::limits;
 use super::scene::{Scene, Test};
 use super::stability::Eigenvalues;
 use crate::problem::Problem;
@@ -109,7 +110,15 @@ pub struct Scheme {
 /// Step factor of the twist's stretching: it costs next to nothing, so it stays well within its limit.
 const STRETCHING: f64 = 0.65;
 
+/// Largest punch displacement over the smaller side of a cell where the caller says nothing.
+const LIMIT: f64 = 0.6;
+
 impl Controls {
+    /// Displacement at which a run ends at the latest, m.
+    pub(super) fn limit_of(&self, scene: &Scene) -> f64 {
+        self.limit.unwrap_or(LIMIT * scene.field.cell[0].min(scene.field.cell[1]))
+    }
+
     /// How `scene` is stepped under these controls.
     ///
     /// # Errors
@@ -169,6 +178,16 @@ impl Controls {
         range("after_break", a, (0.0..=10.0).contains(&a), "from 0, up to 10 m".into());
         if let Some(l) = self.limit {
             range("limit", l, l > 0.0 && l <= 100.0, "above 0, up to 100 m".into());
+        }
+        if problems.is_empty() {
+            let layout = &scene.spec.layout;
+            let slow = match self.speed {
+                Some(speed) => ("speed", speed),
+                None if layout.punch < SMALL.1 => ("D", layout.punch),
+                None => ("L", layout.spacing),
+            };
+            let steps = self.limit_of(scene) / scheme.travel;
+            problems.extend(limits::of_run(&scene.lattice, steps, slow));
         }
         if problems.is_empty() { Ok(scheme) } else { Err(problems) }
     }

@@ -47,6 +47,7 @@ pub mod hash;
 pub mod inertia;
 pub mod lattice;
 pub mod law;
+mod limits;
 pub(crate) mod outcome;
 pub mod plain;
 pub mod run;

@@ -55,8 +55,6 @@ const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
 /// faster than the kinetic energy is sampled, and what damping takes then is known less well (2.0 % and
 /// a little more in sound runs).
 const SNAP_IMBALANCE: f64 = 0.05;
-/// Largest punch displacement over the panel's side where the caller says nothing.
-const LIMIT: f64 = 0.6;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,7 +103,8 @@ pub fn check(
     };
     let mut outcome = run_scheme(&scene, options, &scheme, controls, progress);
     outcome.skipped = skipped(&scene, &scheme, controls);
-    if outcome.sudden() {
+    // What ran away may have been stepped too far as well.
+    if outcome.sudden() || outcome.stop == Stop::Diverged {
         let shorter = 0.7;
         let mut scheme = scheme;
         scheme.factors.translation *= shorter;
@@ -182,7 +181,7 @@ impl<'a> Run<'a> {
             scene,
             scheme,
             controls,
-            limit: controls.limit.unwrap_or(LIMIT * scene.field.cell[0].min(scene.field.cell[1])),
+            limit: controls.limit_of(scene),
             points: Vec::new(),
             pulled: Vec::new(),
             anchors: Vec::new(),
@@ -271,7 +270,14 @@ impl<'a> Run<'a> {
                 }
                 if self.first_break.is_none() {
                     self.first_break(solver);
-                    if self.quality.energy_balance.abs() > self.energy.unexplained() {
+                    let force = self.first_break.map_or(f64::NAN, |at| at.force);
+                    let balance = self.quality.energy_balance.abs();
+                    // No net pulls a block: such a force is shaking, and no answer.
+                    let pushed = force > 0.0 && force.is_finite();
+                    if !pushed {
+                        self.first_break = None;
+                    }
+                    if !pushed || balance > self.energy.unexplained() {
                         return Some(Stop::Diverged);
                     }
                     break;

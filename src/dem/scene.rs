@@ -5,6 +5,7 @@ use super::field::{Arrangement, Block, Field};
 use super::hash;
 use super::lattice::{Lattice, Role, bond_number, bond_of};
 use super::law::Law;
+use super::limits;
 use crate::layout::Layout;
 use crate::mesh::wire::{Slack, WireData};
 use crate::problem::Problem;
@@ -94,6 +95,9 @@ impl Scene {
             Test::Anchored => Lattice::cells(net, field.cell, field.cells, spec.phase),
             Test::Laboratory => Lattice::panel(net, size),
         };
+        if let Some(problem) = limits::of_net(&lattice, size) {
+            return Err(vec![problem]);
+        }
         if lattice.columns < 4 * field.cells[0] || lattice.rows < 4 * field.cells[1] {
             return Err(vec![
                 Problem::new("L", "the panel is too small for a net of this mesh")

@@ -25,17 +25,17 @@ pub struct WireData {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NetGeometry {
-    /// Distance between twist axes (mesh opening), along x, m; above 0.
+    /// Distance between twist axes (mesh opening), along x, m; 0.005 to 1.
     pub opening: f64,
-    /// Length of a double twist, along y, m; above 0.
+    /// Length of a double twist, along y, m; 0.005 to 1.
     pub twist: f64,
-    /// Projection of a single wire on y, m; above 0.
+    /// Projection of a single wire on y, m; 0.005 to 1.
     pub projection: f64,
-    /// Wire diameter, m; above 0.
+    /// Wire diameter, m; 0.0002 to 0.05.
     pub diameter: f64,
-    /// Mass of one node, kg; above 0.
+    /// Mass of one node, kg; 1e-6 to 10.
     pub node_mass: f64,
-    /// Radius of a node's sphere in contact with the punch, m; 0 or above.
+    /// Radius of a node's sphere in contact with the punch, m; 0 to 0.2.
     pub node_radius: f64,
 }
 
@@ -98,11 +98,13 @@ impl WireData {
             }
         };
         let n = &self.net;
-        range("net.opening", n.opening, 0.0, 1.0, true, " m");
-        range("net.twist", n.twist, 0.0, 1.0, true, " m");
-        range("net.projection", n.projection, 0.0, 1.0, true, " m");
-        range("net.diameter", n.diameter, 0.0, 0.05, true, " m");
-        range("net.node_mass", n.node_mass, 0.0, 10.0, true, " kg");
+        // Nets that hold blocks have openings of some centimetres; far finer ones are slips of a unit, and
+        // would be nets of millions of nodes.
+        range("net.opening", n.opening, 0.005, 1.0, false, " m");
+        range("net.twist", n.twist, 0.005, 1.0, false, " m");
+        range("net.projection", n.projection, 0.005, 1.0, false, " m");
+        range("net.diameter", n.diameter, 0.0002, 0.05, false, " m");
+        range("net.node_mass", n.node_mass, 1.0e-6, 10.0, false, " kg");
         range("net.node_radius", n.node_radius, 0.0, 0.2, false, " m");
         let d = &self.distortion;
         range("distortion.lambda_u", d.lambda_u, 0.0, 0.5, false, "");

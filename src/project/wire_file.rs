@@ -81,7 +81,10 @@ mod tests {
             parse_wire(&good.replacen(from, to, 1), "w.ron").unwrap_err().to_string()
         };
         let e = said("opening: 0.08", "opening: -0.08");
-        assert!(e.contains("line 3") && e.contains("net.opening") && e.contains("above 0"), "{e}");
+        assert!(
+            e.contains("line 3") && e.contains("net.opening") && e.contains("from 0.005"),
+            "{e}"
+        );
         let e = said("opening: 0.08,", "");
         assert!(e.contains("net.opening") && e.contains("missing"), "{e}");
         let e = said("twist:", "twits:");

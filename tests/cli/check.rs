@@ -292,3 +292,24 @@ fn an_interrupt_leaves_valid_json() {
     assert_eq!(runs.last().unwrap()["stop"], "cancelled");
     assert!(r["warnings"].as_array().unwrap().iter().any(|w| w["code"] == "cancelled"));
 }
+
+#[test]
+fn a_check_of_which_no_run_came_to_an_end_is_no_success() {
+    // Far too fast and far too damped: a wire snaps early, and again with a shorter step.
+    let wild = [
+        "-d",
+        "0.25",
+        "-D",
+        "0.3",
+        "--phase",
+        "0.25,0.125",
+        "--speed",
+        "0.002",
+        "--damping",
+        "0.5",
+    ];
+    let got = run(&[&SMALL[..3], &["--fidelity", "quick", "--runs", "1"], &wild].concat());
+    assert_eq!(got.code, 1, "{}", got.out);
+    assert!(got.out.contains("1 run diverged and is not counted"), "{}", got.out);
+    assert!(got.out.contains("no break"), "{}", got.out);
+}

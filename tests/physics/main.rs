@@ -2,6 +2,7 @@
 //! and its stability. Expectations come from closed forms, from published runs of another program,
 //! or from the plain solver; where a test compares with an earlier run of our own it says so.
 
+mod attacked;
 mod calibrated;
 mod determinism;
 mod field;

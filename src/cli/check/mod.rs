@@ -125,7 +125,9 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
             csv_as(args.format, csv::report(&checked, several))
         }
     };
-    Ok(Output { result, interrupted, ..Output::default() })
+    // A check of which no run came to an end is no answer.
+    let failed = !interrupted && checked.iter().any(|c| c.counted() == 0);
+    Ok(Output { result, failed, interrupted, ..Output::default() })
 }
 
 /// Finds all that can be wrong before anything is run.
