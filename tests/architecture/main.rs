@@ -14,14 +14,14 @@ const GROUND: &[&str] =
 /// fault; a room that is missing here is one, because somebody has to say what it may use.
 const ROOMS: &[(&str, &[&[&str]])] = &[
     ("units", &[&["words"]]),
-    ("problem", &[]),
+    ("problem", &[&["words"]]),
     ("fingerprint", &[]),
     ("curve", &[]),
     ("axis", &[]),
     ("words", &[]),
     ("remark", &[]),
     ("layout", &[&["problem", "units", "words"]]),
-    ("mesh", &[&["problem", "units"]]),
+    ("mesh", &[&["problem", "units", "words"]]),
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),
     ("case", &[GROUND, &["forecast"]]),
