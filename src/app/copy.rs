@@ -7,8 +7,8 @@ use crate::case::Input;
 use crate::problem::summary;
 use crate::project::schema::NamedLayout;
 use crate::show::layouts::{self, LayoutParts, LayoutRow};
-use crate::show::say;
-use crate::units::{force_text, length_text, significant, to_kn};
+use crate::show::{say, verdict};
+use crate::units::{force_text, length_text};
 
 /// What is said when something was sent; nobody tells whether the terminal took it.
 const SENT: &str = "copied, if the terminal takes OSC 52";
@@ -70,8 +70,8 @@ impl App {
             (_, Some(Err(why))) => why.sentence().into(),
             (Ok(derived), Some(Ok(field))) => {
                 let mut text = say::values(field.values, self.units());
-                if let Some(a) = self.result().answer().and_then(|d| d.at_force) {
-                    text += &format!(", {} at {} kN", a.use_text(), significant(to_kn(a.load), 3));
+                if let Some(verdict) = self.result().asked_verdict() {
+                    text += &format!(", {}", verdict::short(verdict));
                 }
                 if derived.forecast.extrapolated() {
                     text += ", extrapolated";

@@ -6,6 +6,7 @@ use crate::forecast::design::Answer;
 use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::project::schema::{NamedLayout, Project};
+use crate::study::verdict::{Finding, Simulated, Verdict, verdict};
 use std::sync::Arc;
 
 /// The results of one layout.
@@ -15,15 +16,27 @@ pub struct LayoutResult {
     pub(crate) case: Option<Case>,
     /// What follows from it, or what is wrong with the inputs.
     pub(crate) derived: Result<Derived, Vec<Problem>>,
+    /// Whether it is enough; missing with its mesh.
+    pub(crate) verdict: Option<Verdict>,
 }
 
 impl LayoutResult {
     /// The results of one layout of a project.
     pub(crate) fn new(project: &Project, layout: &NamedLayout) -> LayoutResult {
         match project.case(layout) {
-            Ok(case) => LayoutResult { derived: case.derive(), case: Some(case) },
-            Err(problem) => LayoutResult { derived: Err(vec![problem]), case: None },
+            Ok(case) => {
+                let derived = case.derive();
+                let kept = Simulated::of(layout.check.as_deref(), &case);
+                let verdict = Some(verdict(&case, &derived, kept, project.basis));
+                LayoutResult { derived, verdict, case: Some(case) }
+            }
+            Err(problem) => LayoutResult { derived: Err(vec![problem]), verdict: None, case: None },
         }
+    }
+
+    /// Its verdict, where anything is asked.
+    pub(crate) fn asked_verdict(&self) -> Option<&Verdict> {
+        self.verdict.as_ref().filter(|v| v.finding() != Finding::NotAsked)
     }
 
     /// Its mesh, if there is one.

@@ -39,15 +39,6 @@ pub struct Case {
     pub question: Question,
 }
 
-/// A case with its name, where it is a layout of a project.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct NamedCase {
-    /// Name of the layout.
-    pub(crate) name: Option<String>,
-    /// The case.
-    pub(crate) case: Case,
-}
-
 /// What follows from a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Derived {

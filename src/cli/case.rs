@@ -4,11 +4,12 @@ use super::UiFlags;
 use super::choice::one_of;
 use super::input_flags::InputFlags;
 use super::output::Fault;
-use crate::case::{Input, NamedCase};
+use crate::case::{Case, Input};
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
+use crate::study::result::CheckResult;
 use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
 use crate::words::{Choice, nearest};
@@ -27,6 +28,17 @@ pub(crate) struct Source {
     layout: Option<String>,
     #[command(flatten)]
     inputs: Inputs,
+}
+
+/// A case of a command.
+#[derive(Debug, Clone)]
+pub(crate) struct NamedCase {
+    /// Name of the layout, where it is one of a project.
+    pub(crate) name: Option<String>,
+    /// The case.
+    pub(crate) case: Case,
+    /// The check that the project keeps of the layout, whether or not its inputs are still these.
+    pub(crate) check: Option<Arc<CheckResult>>,
 }
 
 /// The cases of a command.
@@ -176,7 +188,7 @@ impl Inputs {
             return Err(Fault::input(unknown_mesh("--mesh", &entry.mesh, known)));
         };
         match entry.check() {
-            Ok(()) => Ok(NamedCase { case: entry.case(mesh), name }),
+            Ok(()) => Ok(NamedCase { case: entry.case(mesh), name, check: entry.check }),
             Err(found) => Err(self.placed(found, name.as_deref())),
         }
     }

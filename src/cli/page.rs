@@ -126,15 +126,8 @@ impl Page {
     /// The verdict: in a word, each check that is asked, what to know, what would mend it.
     pub(crate) fn verdict(&mut self, case: &Case, v: &Verdict) {
         self.line("VERDICT", format!("{}; {} values", verdict::short(v), v.basis.word()));
-        let unit = self.unit;
-        for sentence in v.checks.iter().filter_map(|c| verdict::sentence(c, unit)) {
-            self.line("", sentence);
-        }
-        for remark in &v.remarks {
-            self.line("", remark.sentence());
-        }
-        if let Some(mended) = verdict::mended(case, v) {
-            self.line("  mend by", mended);
+        for line in verdict::lines(case, v, self.unit) {
+            self.line("", line);
         }
     }
 

@@ -5,9 +5,9 @@ use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
 use crate::study::remark::CheckRemark;
-use crate::study::result::make::fingerprint;
 use crate::study::result::places::Places;
 use crate::study::result::{CheckResult, Revisions};
+use crate::study::verdict::Simulated;
 use crate::units::LengthUnit;
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 use crate::words::Choice;
@@ -78,8 +78,7 @@ impl Check {
 
 /// Whether a result still is what this program would find for a case.
 pub(crate) fn current(case: &ExportedLayout, result: &CheckResult) -> bool {
-    let wire = case.case.mesh.wire.as_ref();
-    wire.is_some_and(|wire| result.current(fingerprint(&case.entry.layout, wire, &result.wanted)))
+    !Simulated::of(Some(result), &case.case).stale()
 }
 
 /// What is to be known of a result, a sentence each.

@@ -5,6 +5,7 @@ use crate::forecast::Forecast;
 use crate::forecast::design::Answer;
 use crate::problem::Problem;
 use crate::project::{NamedLayout, Project};
+use crate::study::verdict::{Simulated, Verdict, verdict};
 
 /// One layout and what follows from it.
 #[derive(Debug, Clone)]
@@ -15,6 +16,8 @@ pub struct ExportedLayout {
     pub case: Case,
     /// What follows from it.
     pub derived: Derived,
+    /// Whether it is enough, by its forecast and by the check that is kept.
+    pub verdict: Verdict,
 }
 
 impl ExportedLayout {
@@ -30,7 +33,9 @@ impl ExportedLayout {
             entry.check()?;
             let case = project.case(entry).map_err(|problem| vec![problem])?;
             let derived = case.derive()?;
-            Ok(ExportedLayout { entry: entry.clone(), case, derived })
+            let kept = Simulated::of(entry.check.as_deref(), &case);
+            let verdict = verdict(&case, &derived.forecast, kept, project.basis);
+            Ok(ExportedLayout { entry: entry.clone(), case, derived, verdict })
         };
         made().map_err(|found: Vec<Problem>| {
             let place = format!("layout {:?}", entry.name);

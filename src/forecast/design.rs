@@ -6,7 +6,6 @@
 
 use super::Field;
 use crate::layout::Layout;
-use crate::units::percent;
 
 /// What an engineer asks of a layout.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,61 +75,8 @@ pub struct AtForce {
     pub deflection: Option<f64>,
     /// Deflection at the design force without its factor, m; missing beyond failure.
     pub service_deflection: Option<f64>,
-    /// That at the factored load over the allowable one, where one is given; beyond failure the load over the
-    /// force at the allowable deflection. Above 1 the panel gives way too far.
-    pub deflection_use: Option<f64>,
-}
-
-impl AtForce {
-    /// Whether the deflection is within the allowable one, where one is given.
-    pub(crate) fn within_allowable(&self) -> Option<bool> {
-        self.deflection_use.map(|used| used <= 1.0)
-    }
-
-    /// Whether the panel holds the load but gives way too far.
-    pub(crate) fn over_allowed(&self) -> bool {
-        self.deflection.is_some() && self.within_allowable() == Some(false)
-    }
-
-    /// What is wrong, in the words of all screens and texts; nothing where all is well.
-    pub(crate) fn trouble(&self) -> Option<&'static str> {
-        match self.utilisation > 1.0 {
-            true => Some("NOT ENOUGH"),
-            false => self.over_allowed().then_some("OVER THE ALLOWED"),
-        }
-    }
-
-    /// The use, and whether the deflection is over the allowed one: `use 78.0 %, over the allowed`.
-    pub(crate) fn use_text(&self) -> String {
-        let over = if self.over_allowed() { ", over the allowed" } else { "" };
-        format!("use {} %{over}", percent(self.utilisation))
-    }
-
-    /// How the deflection stands to the allowable one, to be said behind it; empty where none is given.
-    pub(crate) fn allowed_text(&self) -> &'static str {
-        match self.within_allowable() {
-            Some(true) => ", within the allowed",
-            Some(false) => ", over the allowed",
-            None => "",
-        }
-    }
-
-    /// The larger of the uses of force and deflection, and which it is.
-    pub(crate) fn largest_use(&self) -> (f64, Limit) {
-        match self.deflection_use {
-            Some(used) if used > self.utilisation => (used, Limit::Deflection),
-            _ => (self.utilisation, Limit::Force),
-        }
-    }
-}
-
-/// What a use is a use of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Limit {
-    /// The factored resistance.
-    Force,
-    /// The allowable deflection.
-    Deflection,
+    /// Whether that is within the allowable deflection, where one is given.
+    pub within_allowable: Option<bool>,
 }
 
 /// What an allowable deflection gives.
@@ -151,17 +97,16 @@ pub(crate) fn answer(field: &Field, question: &Question) -> Answer {
     let resistance = field.values.force / question.gamma_resistance;
     let at_force = question.force.map(|force| {
         let load = question.gamma_load * force;
-        let deflection = field.deflection_at(load);
+        let (deflection, service) = (field.deflection_at(load), field.deflection_at(force));
         AtForce {
             load,
             utilisation: load / resistance,
             margin: resistance - load,
             deflection,
-            service_deflection: field.deflection_at(force),
-            deflection_use: question.deflection.map(|allowable| match deflection {
-                Some(reached) => reached / allowable,
-                None => load / field.force_at(allowable.min(field.values.deflection)),
-            }),
+            service_deflection: service,
+            within_allowable: question
+                .deflection
+                .map(|allowed| service.is_some_and(|v| v <= allowed)),
         }
     });
     let at_deflection = question.deflection.map(|deflection| {
@@ -196,23 +141,6 @@ mod tests {
     }
 
     #[test]
-    fn a_panel_that_is_strong_enough_and_gives_way_too_far_is_over_the_allowed() {
-        // Half the force is reached somewhere between 0.1 m and failure at 0.5 m.
-        let soft = at(10_000.0, Some(0.1));
-        assert!(soft.utilisation == 0.5 && soft.deflection.unwrap() > 0.1);
-        assert_eq!(soft.trouble(), Some("OVER THE ALLOWED"));
-        assert_eq!(soft.use_text(), "use 50.0 %, over the allowed");
-        let (used, limit) = soft.largest_use();
-        assert!(
-            limit == Limit::Deflection && (used - soft.deflection.unwrap() / 0.1).abs() < 1e-12
-        );
-        let fine = at(10_000.0, Some(0.5));
-        assert!(fine.trouble().is_none() && fine.within_allowable() == Some(true));
-        assert_eq!(at(10_000.0, None).use_text(), "use 50.0 %");
-        assert_eq!(at(10_000.0, None).largest_use(), (0.5, Limit::Force));
-    }
-
-    #[test]
     fn the_service_deflection_leaves_the_factors_out() {
         // A factor on the load moves the design deflection only; a panel that fails under the factored
         // load still says how far it gives under the plain one.
@@ -227,13 +155,13 @@ mod tests {
     }
 
     #[test]
-    fn beyond_failure_the_use_of_the_allowed_deflection_is_that_of_its_force() {
-        // No deflection is reached; 30 kN over what the panel holds at 0.25 m, half of its 0.5 m.
-        let short = at(30_000.0, Some(0.25));
-        let held = 20_000.0 * master::force(0.5);
-        assert!((short.deflection_use.unwrap() - 30_000.0 / held).abs() < 1e-12);
-        assert_eq!((short.trouble(), short.within_allowable()), (Some("NOT ENOUGH"), Some(false)));
-        // Allowed beyond failure: the panel's whole force.
-        assert!((at(30_000.0, Some(2.0)).deflection_use.unwrap() - 1.5).abs() < 1e-12);
+    fn the_allowed_deflection_is_compared_with_the_service_deflection() {
+        // 10 kN of 20 kN are reached well beyond 0.1 m; 30 kN are beyond failure, whatever is allowed.
+        let within = |force, allowed| at(force, Some(allowed)).within_allowable;
+        assert_eq!([within(10_000.0, 0.1), within(10_000.0, 0.5)], [Some(false), Some(true)]);
+        assert_eq!(
+            (within(30_000.0, 2.0), at(10_000.0, None).within_allowable),
+            (Some(false), None)
+        );
     }
 }

@@ -135,9 +135,7 @@ impl Forecast {
 
     /// Whether any size is outside its published range, so that the numbers are extrapolated.
     pub(crate) fn extrapolated(&self) -> bool {
-        self.warnings
-            .iter()
-            .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))
+        warning::extrapolated(&self.warnings)
     }
 }
 

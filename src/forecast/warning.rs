@@ -123,6 +123,14 @@ pub enum Warning {
     ExampleMesh,
 }
 
+/// Whether some of these say that a size is outside its published range, so that numbers are
+/// extrapolated.
+pub(crate) fn extrapolated(warnings: &[Warning]) -> bool {
+    warnings
+        .iter()
+        .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))
+}
+
 impl Warning {
     /// Stable identifier for programs.
     pub(crate) fn code(&self) -> &'static str {

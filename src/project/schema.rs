@@ -185,6 +185,11 @@ impl NamedLayout {
         input.put(&mut self.layout, &mut self.question, value);
     }
 
+    /// What is asked of it, with the load as a force on the panel.
+    pub(crate) fn asked(&self) -> Question {
+        self.question.on(&self.layout)
+    }
+
     /// The layout as a case, with its mesh.
     pub(crate) fn case(&self, mesh: Arc<MeshType>) -> Case {
         Case { layout: self.layout, mesh, rule: self.branch, question: self.question }

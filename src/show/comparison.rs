@@ -1,6 +1,7 @@
 //! The table of a comparison: what its columns are called and what stands in them, for people.
 
 use super::effect::{deflection, number};
+use super::verdict;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, force_text, percent};
@@ -15,7 +16,8 @@ pub(crate) fn head(column: Column, unit: LengthUnit) -> (&'static str, &'static 
         Column::Deflection => ("delta", unit.symbol()),
         Column::ForceRatio => ("F/Fl", ""),
         Column::DeflectionRatio => ("d/dl", ""),
-        Column::Utilisation => ("use", "%"),
+        Column::Utilisation => ("F use", "%"),
+        Column::Use => ("use", "%"),
         Column::DesignDeflection => ("at Fd", unit.symbol()),
         Column::ServiceDeflection => ("at F", unit.symbol()),
         Column::Warnings => ("warn", ""),
@@ -58,6 +60,7 @@ pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String
             ratio(forecast.and_then(super::super::forecast::Forecast::deflection_over_lab))
         }
         Column::Utilisation => row.utilisation().map_or_else(none, percent),
+        Column::Use => verdict::usage(&row.verdict),
         Column::DesignDeflection => {
             let at = row.at_force().and_then(|a| a.deflection);
             at.map_or_else(none, |v| deflection(v, unit))
@@ -76,17 +79,16 @@ pub(crate) fn over(part: Option<f64>) -> String {
 }
 
 /// Which layout governs, and by what; without a final stop.
-pub(crate) fn governing(c: &Comparison) -> String {
+pub(crate) fn governing(c: &Comparison) -> (Option<&str>, String) {
     let Some((g, row)) = c.governing.and_then(|g| Some((g, c.rows.get(g.row)?))) else {
-        return "none, no layout has a value".to_string();
+        return (None, "none, no layout has a value".to_string());
     };
-    let name = &row.name;
-    match (g.text(), row.values()) {
-        (Some(text), _) => format!("{name}: {text}"),
+    let why = match (g.by, row.values()) {
+        (Some(_), _) => verdict::short(&row.verdict),
         (None, Ok(v)) => {
-            let force = force_text(v.force);
-            format!("{name}: the lowest force, {force}; no layout has a design force")
+            format!("the lowest force, {}; no layout has a load", force_text(v.force))
         }
-        (None, Err(_)) => name.clone(),
-    }
+        (None, Err(_)) => String::new(),
+    };
+    (Some(&row.name), why)
 }

@@ -19,6 +19,7 @@ pub(crate) mod glyphs;
 pub(crate) mod grid;
 pub(crate) mod layouts;
 pub(crate) mod map;
+pub(crate) mod names;
 pub(crate) mod objects;
 pub(crate) mod picture;
 pub(crate) mod plot;

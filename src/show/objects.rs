@@ -85,7 +85,7 @@ pub(crate) fn design(answer: &Answer, question: &Question) -> Object {
             .with("margin_kN", kn(at.margin))
             .with("delta_m", at.deflection)
             .with("service_delta_m", at.service_deflection)
-            .with("within_allowable", at.within_allowable())
+            .with("within_allowable", at.within_allowable)
     });
     let at_deflection = answer.at_deflection.zip(question.deflection).map(|(at, deflection)| {
         Object::new()

@@ -10,19 +10,19 @@ pub(crate) fn values(v: Values, unit: LengthUnit) -> String {
     format!("F_a {}, delta_a {}", force_text(v.force), length_text(v.deflection, unit))
 }
 
-/// The same with the use, where a design force is set, whether the deflection is over the allowed, and
-/// the deflection at that force without its factor.
+/// The same with the use, where a design force is set, and the deflection at that force without its
+/// factor.
 pub(crate) fn point(p: &CasePoint, unit: LengthUnit) -> String {
-    let used = p.answer.at_force.map_or(String::new(), |at| format!(", {}", at.use_text()));
+    let used = used(p.utilisation());
     let service = p.service_deflection();
     let service = service.map(|v| format!(", {} at F", length_text(v, unit)));
     values(p.values(), unit) + &used + &service.unwrap_or_default()
 }
 
-/// The same with the deflection at the factored design force, where it is reached; `place` says so
-/// behind it.
+/// The same with the deflection at the design force without its factor, where it is reached; `place`
+/// says so behind it.
 pub(crate) fn point_at_load(p: &CasePoint, unit: LengthUnit, place: &str) -> String {
-    let reached = p.answer.at_force.and_then(|at| at.deflection);
+    let reached = p.service_deflection();
     let reached = reached.map(|v| format!(", {} {place}", length_text(v, unit)));
     values(p.values(), unit) + &used(p.utilisation()) + &reached.unwrap_or_default()
 }

@@ -1,10 +1,12 @@
 //! The verdict in words and as an object, the same wherever it is shown.
 
 use super::objects;
-use super::value::{Object, Value, kn};
-use crate::case::Case;
+use super::value::{NamedColumn, Object, Value, kn};
+use crate::case::{Case, CaseValue};
 use crate::study::mend::mend;
-use crate::study::verdict::{Aspect, Checked, Judge, State, Verdict, VerdictRemark};
+use crate::study::verdict::{
+    Aspect, Basis, Checked, Finding, Judge, Simulated, State, Verdict, VerdictRemark, verdict,
+};
 use crate::units::{LengthUnit, force_text, length_text, percent};
 use crate::words::Choice;
 
@@ -57,13 +59,35 @@ pub(crate) fn object(case: &Case, v: &Verdict) -> Object {
         .with("mend", mend)
 }
 
+/// The columns of a verdict in tables: its word, what governs it, and the use on the basis that
+/// decides.
+pub(crate) const COLUMNS: [NamedColumn<Verdict>; 3] = [
+    ("verdict", |v| v.finding().word().into()),
+    ("verdict_by", |v| v.governing().map(|c| c.aspect.word()).into()),
+    ("use", |v| v.largest_use().into()),
+];
+
+/// The governing use in per cent for a narrow column, without its sign.
+pub(crate) fn usage(v: &Verdict) -> String {
+    match v.governing() {
+        Some(c) if c.state == State::PassesThrough => "slips".into(),
+        Some(c) => v.usage(c).map_or("-".into(), per_cent),
+        None => "-".into(),
+    }
+}
+
+/// A use in per cent; what is beyond all measure is not told to the digit.
+pub(crate) fn per_cent(usage: f64) -> String {
+    if usage < 10.0 { percent(usage) } else { ">1000".into() }
+}
+
 /// The verdict in a few words: `FAILS: deflection 157 %`.
 pub(crate) fn short(v: &Verdict) -> String {
     let word = v.finding().word();
     if let Some(c) = v.governing() {
         let usage = match (c.state, v.usage(c)) {
             (State::PassesThrough, _) => " passes through".to_string(),
-            (_, Some(usage)) => format!(" {} %", percent(usage)),
+            (_, Some(usage)) => format!(" {} %", per_cent(usage)),
             (_, None) => String::new(),
         };
         return format!("{word}: {}{usage}", c.aspect.word());
@@ -92,20 +116,68 @@ pub(crate) fn sentence(c: &Checked, unit: LengthUnit) -> Option<String> {
     let capacity = c.capacity[0].map_or(String::new(), |v| format!(" of {}", text(v)));
     let usage = match c.usage {
         [Some(mean), Some(low)] if mean != low => {
-            format!("{} % mean, {} % characteristic", percent(mean), percent(low))
+            format!("{} % mean, {} % characteristic", per_cent(mean), per_cent(low))
         }
-        [Some(mean), _] => format!("{} %", percent(mean)),
+        [Some(mean), _] => format!("{} %", per_cent(mean)),
         _ => "use unknown".to_string(),
     };
     let by = if c.judge == Some(Judge::Check) { ", by the check" } else { "" };
     Some(format!("{name}: {demand}{capacity}, {usage}{by}"))
 }
 
+/// What is to be said behind the verdict itself: each check that is asked, what to know, what would mend
+/// it.
+pub(crate) fn lines(case: &Case, v: &Verdict, unit: LengthUnit) -> Vec<String> {
+    let checks = v.checks.iter().filter_map(|c| sentence(c, unit));
+    let remarks = v.remarks.iter().map(|r| format!("! {}", r.sentence()));
+    checks.chain(remarks).chain(mended(case, v)).collect()
+}
+
 /// What would mend it, as a sentence; nothing where nothing fails.
-pub(crate) fn mended(case: &Case, v: &Verdict) -> Option<String> {
-    let failing = v.checks.iter().any(|c| c.state.fails());
-    failing.then(|| match mend(case, v) {
-        Some(m) => format!("{} would pass, by the forecast", m.text()),
-        None => "no plate or spacing alone, within the published ranges".to_string(),
+fn mended(case: &Case, v: &Verdict) -> Option<String> {
+    if v.finding() != Finding::Fails {
+        return None;
+    }
+    Some(match mend(case, v) {
+        Some(m) => format!("mended by {}, by the forecast", m.text()),
+        None if v.checks.iter().any(|c| c.state.fails() && c.judge == Some(Judge::Check)) => {
+            "what would mend it is not known: the check fails it, and only the forecast is searched"
+                .into()
+        }
+        None => "not mended by plate or spacing alone within the published ranges".into(),
     })
+}
+
+/// The verdict on a case by its forecast alone, in a few words; nothing where nothing is asked.
+pub(crate) fn of_outcome(case: &Case, outcome: &CaseValue, basis: Basis) -> Option<String> {
+    let v = verdict(case, outcome, Simulated::Missing, basis);
+    (v.finding() != Finding::NotAsked).then(|| short(&v))
+}
+
+/// A check in a narrow panel, in kN or the unit of lengths: `x deflect. 157 % 0.629/0.400`; nothing
+/// where it is not asked. The capacity is that of the basis that decides.
+pub(crate) fn brief(v: &Verdict, c: &Checked, unit: LengthUnit) -> Option<String> {
+    let word = match c.aspect {
+        Aspect::Deflection => "deflect.",
+        other => other.word(),
+    };
+    let name = format!("{} {word}", c.state.mark());
+    let number = |si: f64| {
+        let text = match c.aspect {
+            Aspect::Deflection => length_text(si, unit),
+            _ => force_text(si),
+        };
+        text.split(' ').next().map(String::from)
+    };
+    let number = |si: Option<f64>| si.and_then(number).unwrap_or("-".into());
+    match c.state {
+        State::NotAsked(_) => None,
+        State::NotJudged(_) => Some(format!("{name} not judged")),
+        State::PassesThrough => Some(format!("{name} passes through")),
+        State::Pass | State::Fail => {
+            let (demand, capacity) = (number(c.demand), number(c.capacity[v.basis as usize]));
+            let used = v.usage(c).map_or("-".into(), per_cent);
+            Some(format!("{name} {used} % {demand}/{capacity}"))
+        }
+    }
 }

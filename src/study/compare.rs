@@ -1,12 +1,12 @@
 //! Comparison: the layouts of a project side by side, sorted by any column, and the one that governs.
 
+use super::verdict::{Aspect, Basis, Simulated, Verdict, verdict};
 use crate::case::{Case, Derived, Input, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::forecast::design::{Answer, AtForce, Limit};
+use crate::forecast::design::{Answer, AtForce};
 use crate::forecast::{Forecast, Values};
 use crate::problem::Problem;
 use crate::remark::Weight;
-use crate::units::percent;
 use crate::words::Choice;
 use std::cmp::Ordering;
 
@@ -19,6 +19,8 @@ pub struct CompareRow {
     pub case: Case,
     /// What follows from it, or what is wrong with its inputs.
     pub derived: Result<Derived, Vec<Problem>>,
+    /// Whether it is enough, by the forecast and by its check.
+    pub verdict: Verdict,
 }
 
 impl CompareRow {
@@ -50,11 +52,6 @@ impl CompareRow {
         self.at_force().map(|at| at.utilisation)
     }
 
-    /// Whether it holds its load but gives way too far.
-    pub(crate) fn over_allowed(&self) -> bool {
-        self.at_force().is_some_and(|at| at.over_allowed())
-    }
-
     /// The heaviest of its warnings; inputs that make no sense are outside.
     pub(crate) fn weight(&self) -> Option<Weight> {
         match self.forecast() {
@@ -77,6 +74,7 @@ impl CompareRow {
             Column::ForceRatio => forecast?.force_over_lab(),
             Column::DeflectionRatio => forecast?.deflection_over_lab(),
             Column::Utilisation => self.utilisation(),
+            Column::Use => self.verdict.governing().map(|_| self.verdict.severity()),
             Column::DesignDeflection => self.at_force()?.deflection,
             Column::ServiceDeflection => self.at_force()?.service_deflection,
             Column::Warnings => self.weight().map(|w| f64::from(w as u8)),
@@ -103,6 +101,8 @@ pub enum Column {
     DeflectionRatio,
     /// Utilisation, where a design force is set.
     Utilisation,
+    /// Use that governs the verdict, with the verdict's mark.
+    Use,
     /// Deflection at the factored design force, m.
     DesignDeflection,
     /// Deflection at the design force without its factor, m.
@@ -126,6 +126,7 @@ impl Choice for Column {
         Column::ForceRatio,
         Column::DeflectionRatio,
         Column::Utilisation,
+        Column::Use,
         Column::DesignDeflection,
         Column::ServiceDeflection,
         Column::Warnings,
@@ -141,6 +142,7 @@ impl Choice for Column {
             Column::ForceRatio => "F_ratio",
             Column::DeflectionRatio => "delta_ratio",
             Column::Utilisation => "utilisation",
+            Column::Use => "use",
             Column::DesignDeflection => "design_delta",
             Column::ServiceDeflection => "service_delta",
             Column::Warnings => "warnings",
@@ -153,22 +155,9 @@ impl Choice for Column {
 pub struct Governing {
     /// Its place among the rows.
     pub(crate) row: usize,
-    /// The highest use, of force or deflection; nothing where no layout has a design force, and then
-    /// its force is the lowest.
-    pub(crate) used: Option<(f64, Limit)>,
-}
-
-impl Governing {
-    /// By what it governs, where there is a use.
-    pub(crate) fn text(&self) -> Option<String> {
-        self.used.map(|(used, limit)| {
-            let of = match limit {
-                Limit::Force => "",
-                Limit::Deflection => " of the allowed deflection",
-            };
-            format!("the highest use, {} %{of}", percent(used))
-        })
-    }
+    /// What its verdict is governed by; nothing where no layout is judged, and then its force is the
+    /// lowest.
+    pub(crate) by: Option<Aspect>,
 }
 
 /// The layouts of a project side by side.
@@ -180,30 +169,49 @@ pub struct Comparison {
     pub governing: Option<Governing>,
 }
 
-/// Compares named cases.
-pub(crate) fn compare(cases: impl IntoIterator<Item = (String, Case)>) -> Comparison {
-    let rows: Vec<CompareRow> = cases
+/// A layout to be compared.
+#[derive(Debug, Clone)]
+pub(crate) struct LayoutToCompare<'a> {
+    /// Its name.
+    pub(crate) name: String,
+    /// What is forecast.
+    pub(crate) case: Case,
+    /// Its check.
+    pub(crate) simulated: Simulated<'a>,
+}
+
+/// Compares layouts, their verdicts by mean or characteristic values.
+pub(crate) fn compare<'a>(
+    layouts: impl IntoIterator<Item = LayoutToCompare<'a>>,
+    basis: Basis,
+) -> Comparison {
+    let rows: Vec<CompareRow> = layouts
         .into_iter()
-        .map(|(name, case)| CompareRow { derived: case.derive(), name, case })
+        .map(|LayoutToCompare { name, case, simulated }| {
+            let derived = case.derive();
+            let verdict = verdict(&case, &derived, simulated, basis);
+            CompareRow { name, case, derived, verdict }
+        })
         .collect();
     let governing = governing(&rows);
     Comparison { rows, governing }
 }
 
-/// The highest use of force or deflection, or where no layout has one the lowest force; the first of
-/// equals.
+/// The worst verdict, or where no layout is judged the lowest force; the first of equals.
 fn governing(rows: &[CompareRow]) -> Option<Governing> {
-    let uses =
-        rows.iter().enumerate().filter_map(|(row, r)| Some((row, r.at_force()?.largest_use())));
-    let lower = |a: &(usize, (f64, Limit)), b: &(usize, (f64, Limit))| {
-        a.1.0.total_cmp(&b.1.0).then(b.0.cmp(&a.0))
+    let judged = rows.iter().enumerate().filter_map(|(row, r)| {
+        let by = r.verdict.governing()?;
+        Some((row, r.verdict.severity(), by.aspect))
+    });
+    let lower = |a: &(usize, f64, Aspect), b: &(usize, f64, Aspect)| {
+        a.1.total_cmp(&b.1).then(b.0.cmp(&a.0))
     };
-    if let Some((row, used)) = uses.max_by(lower) {
-        return Some(Governing { row, used: Some(used) });
+    if let Some((row, _, by)) = judged.max_by(lower) {
+        return Some(Governing { row, by: Some(by) });
     }
     let forces = rows.iter().enumerate().filter_map(|(row, r)| Some((row, r.values().ok()?.force)));
     let weakest = forces.min_by(|a, b| a.1.total_cmp(&b.1));
-    weakest.map(|(row, _)| Governing { row, used: None })
+    weakest.map(|(row, _)| Governing { row, by: None })
 }
 
 impl Comparison {
@@ -242,6 +250,11 @@ mod tests {
     use crate::case::example as case;
     use crate::layout::{Layout, REFERENCE};
 
+    fn all(cases: impl Iterator<Item = (String, Case)>) -> Comparison {
+        let layout = |(name, case)| LayoutToCompare { name, case, simulated: Simulated::Missing };
+        compare(cases.map(layout), Basis::Mean)
+    }
+
     fn three(forces: [Option<f64>; 3]) -> Comparison {
         let layouts = [
             REFERENCE,
@@ -250,19 +263,20 @@ mod tests {
         ];
         let names = ["b", "a", "on plate"].map(String::from);
         let cases = layouts.into_iter().zip(forces).map(|(l, f)| case(l, f));
-        compare(names.into_iter().zip(cases))
+        all(names.into_iter().zip(cases))
     }
 
     #[test]
     fn the_highest_utilisation_governs_or_else_the_lowest_force() {
         // F_a: 27.063 kN, and 27.063 x (0.32/3 + 0.84) = 25.62 kN.
         let c = three([None; 3]);
-        assert_eq!(c.governing, Some(Governing { row: 1, used: None }));
+        assert_eq!(c.governing, Some(Governing { row: 1, by: None }));
         let c = three([Some(13_531.5), None, Some(90_000.0)]);
         let g = c.governing.unwrap();
         assert_eq!(g.row, 0, "one design force is enough, and none without a value counts");
-        assert!((g.used.unwrap().0 - 0.5).abs() < 1e-12);
-        assert_eq!(compare([]).governing, None);
+        assert_eq!(g.by, Some(Aspect::Strength));
+        assert!((c.rows[0].verdict.largest_use().unwrap() - 0.5).abs() < 1e-12);
+        assert_eq!(compare([], Basis::Mean).governing, None);
         assert_ne!(three([None; 3]).fingerprint(), c.fingerprint());
     }
 
@@ -271,12 +285,11 @@ mod tests {
         let mut cases = [case(REFERENCE, Some(20_000.0)), case(REFERENCE, Some(13_531.5))];
         // Half of F_a is reached well beyond 0.2 m, and before failure at 0.635 m.
         cases[1].question.deflection = Some(0.2);
-        let c = compare(["strong", "soft"].map(String::from).into_iter().zip(cases));
+        let c = all(["strong", "soft"].map(String::from).into_iter().zip(cases));
         assert!(c.rows[0].utilisation() > c.rows[1].utilisation());
-        let g = c.governing.unwrap();
-        assert_eq!((g.row, g.used.map(|used| used.1)), (1, Some(Limit::Deflection)));
-        assert!(g.text().is_some_and(|text| text.ends_with("of the allowed deflection")));
-        assert_eq!(c.rows.iter().map(CompareRow::over_allowed).collect::<Vec<_>>(), [false, true]);
+        assert_eq!(c.governing, Some(Governing { row: 1, by: Some(Aspect::Deflection) }));
+        assert_eq!(c.sorted(Column::Use, true), [1, 0]);
+        assert_eq!(c.sorted(Column::Utilisation, true), [0, 1]);
     }
 
     #[test]

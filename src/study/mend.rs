@@ -5,7 +5,7 @@
 //! stronger, but no engineer means that as a cure.
 
 use super::solve::{Requirement, Solution, solve};
-use super::verdict::{Aspect, Basis, Finding, Simulated, Verdict, characteristic_part, verdict};
+use super::verdict::{Aspect, Basis, Finding, Simulated, Verdict, verdict};
 use crate::case::{Case, Input};
 
 /// An input and the value that would mend what fails.
@@ -44,8 +44,7 @@ pub fn mend(case: &Case, verdict: &Verdict) -> Option<Mend> {
 /// Whether nothing fails with it, by the forecast.
 fn passes(case: &Case, mend: Mend, basis: Basis) -> bool {
     let case = case.with(mend.input, mend.value);
-    let forecast = case.forecast().ok();
-    let found = verdict(&case, forecast.as_ref(), Simulated::Missing, basis).finding();
+    let found = verdict(&case, &case.derive(), Simulated::Missing, basis).finding();
     matches!(found, Finding::Passes | Finding::Doubtful)
 }
 
@@ -58,24 +57,14 @@ fn plate_or_spacing(
 ) -> Option<Mend> {
     let now = input.value(case);
     let mut value = now;
-    let mut needs = |aspect: Aspect, requirement: Requirement, asked: &Case| {
-        if !fails(aspect) {
-            return Some(());
+    for (aspect, requirement) in
+        [(Aspect::Strength, Requirement::Force), (Aspect::Deflection, Requirement::Deflection)]
+    {
+        if fails(aspect) {
+            let found = nearest(&solve(case, input, requirement, basis)?, now)?;
+            value = if input == Input::Plate { value.max(found) } else { value.min(found) };
         }
-        let found = nearest(&solve(asked, input, requirement)?, now)?;
-        value = if input == Input::Plate { value.max(found) } else { value.min(found) };
-        Some(())
-    };
-    let mut strength = case.clone();
-    if basis == Basis::Characteristic {
-        // The part depends on the punch alone, which stays.
-        strength.question.gamma_resistance /= characteristic_part(case.layout.punch);
     }
-    needs(Aspect::Strength, Requirement::Force, &strength)?;
-    // The deflection is asked under the service load.
-    let mut service = case.clone();
-    service.question.gamma_load = 1.0;
-    needs(Aspect::Deflection, Requirement::Deflection, &service)?;
     if fails(Aspect::Anchor) {
         if input == Input::Plate {
             return None;

@@ -6,9 +6,9 @@
 //! is scanned, every change from met to not met is narrowed down to two neighbouring floating point
 //! numbers, and all of them are reported, with the side on which the requirement is met.
 
+use super::verdict::{Aspect, Basis, Checked, Simulated, verdict};
 use crate::case::{Case, CasePoint, CaseValue, Input, NoValue};
-use crate::forecast::Field;
-use crate::forecast::design::{Question, answer};
+use crate::forecast::design::Question;
 use crate::forecast::field::BRANCH_CROSSING;
 use crate::forecast::warning::PublishedRange;
 
@@ -22,8 +22,8 @@ const JUMP: f64 = 1e-9;
 pub enum Requirement {
     /// The design force: utilisation at most 1, both partial factors included.
     Force,
-    /// The allowable deflection. With a design force: the deflection at the factored design force is
-    /// at most the allowable one, and is reached before failure. Without: delta_a is.
+    /// The allowable deflection. With a design force: the deflection at the design force, without its
+    /// factor, is at most the allowable one, and is reached before failure. Without: delta_a is.
     Deflection,
     /// Both at once.
     Both,
@@ -54,27 +54,25 @@ impl Requirement {
     /// How far a panel is from the limit, as a part of it: 0 just meets it, below 0 does not. Nothing
     /// where the question does not set the requirement.
     ///
-    /// Force: resistance over factored load, less 1. Deflection: the allowable one over that at the
-    /// factored design force (or over delta_a), less 1; beyond failure F_a over the load, less 1.
-    pub fn margin(self, field: &Field, question: &Question) -> Option<f64> {
+    /// 1 over the use of [`verdict`], less 1: force by its strength on a basis, deflection by that under
+    /// the service load. Without a force the deflection at failure, delta_a, is asked for.
+    pub fn margin(self, case: &Case, point: &CasePoint, basis: Basis) -> Option<f64> {
+        let checks = || verdict(case, point, Simulated::Missing, basis).checks;
+        let margin = |c: Checked| c.usage[basis as usize].map(|usage| 1.0 / usage - 1.0);
         match self {
-            Requirement::Force => {
-                let answer = answer(field, question);
-                answer.at_force.map(|at| answer.resistance / at.load - 1.0)
+            Requirement::Force => margin(checks()[Aspect::Strength as usize]),
+            Requirement::Deflection if case.asked().force.is_none() => {
+                Some(case.question.deflection? / point.values().deflection - 1.0)
             }
             Requirement::Deflection => {
-                let allowable = question.deflection?;
-                Some(match answer(field, question).at_force {
-                    None => allowable / field.values.deflection - 1.0,
-                    Some(at) => match at.deflection {
-                        Some(reached) => allowable / reached - 1.0,
-                        None => field.values.force / at.load - 1.0,
-                    },
-                })
+                let checked = checks()[Aspect::Deflection as usize];
+                // A load of F_a and more fails, whatever is allowed.
+                let most = if checked.state.fails() { -f64::MIN_POSITIVE } else { f64::INFINITY };
+                margin(checked).map(|margin| margin.min(most))
             }
             Requirement::Both => {
-                let force = Requirement::Force.margin(field, question)?;
-                Some(force.min(Requirement::Deflection.margin(field, question)?))
+                let force = Requirement::Force.margin(case, point, basis)?;
+                Some(force.min(Requirement::Deflection.margin(case, point, basis)?))
             }
         }
     }
@@ -135,6 +133,9 @@ pub struct Crossing {
     pub kind: RequirementKind,
     /// The nearest whole millimetre on the safe side, m, where that meets it too.
     pub rounded: Option<f64>,
+    /// Whether it may be advised. Anchors farther apart than now make the forecast's panel stronger, but no
+    /// engineer means that as a cure: more rock hangs on each.
+    pub advised: bool,
 }
 
 /// A part of the range in which the requirement is met throughout, m.
@@ -177,14 +178,19 @@ impl Solution {
     }
 }
 
-/// Solves for one input. Nothing where the input has no published range, or the case's question does
-/// not set the requirement.
-pub fn solve(case: &Case, input: Input, requirement: Requirement) -> Option<Solution> {
+/// Solves for one input, capacities on a basis. Nothing where the input has no published range, or the
+/// case's question does not set the requirement.
+pub fn solve(
+    case: &Case,
+    input: Input,
+    requirement: Requirement,
+    basis: Basis,
+) -> Option<Solution> {
     let range = input.row().published?;
     if !Requirement::asked(&case.asked()).contains(&requirement) {
         return None;
     }
-    let search = Search { case, input, requirement };
+    let search = Search { case, input, requirement, basis };
     let places = search.scan(range);
     let mut crossings = Vec::new();
     for pair in places.windows(2) {
@@ -231,13 +237,15 @@ struct Search<'a> {
     case: &'a Case,
     input: Input,
     requirement: Requirement,
+    basis: Basis,
 }
 
 impl Search<'_> {
     fn place(&self, value: f64) -> Place {
         let case = self.case.with(self.input, value);
-        let (outcome, asked) = (case.outcome(), case.asked());
-        let margin = outcome.as_ref().ok().and_then(|p| self.requirement.margin(&p.field, &asked));
+        let outcome = case.outcome();
+        let point = outcome.as_ref().ok();
+        let margin = point.and_then(|p| self.requirement.margin(&case, p, self.basis));
         Place { value, outcome, margin }
     }
 
@@ -313,6 +321,9 @@ impl Search<'_> {
             beyond: outside.outcome,
             met_above,
             rounded: None,
+            advised: !(self.input == Input::Spacing
+                && met_above
+                && inside.value > self.input.value(self.case)),
         })
     }
 
@@ -358,7 +369,7 @@ mod tests {
     }
 
     fn solved(case: &Case, input: Input, requirement: Requirement) -> Solution {
-        solve(case, input, requirement).unwrap()
+        solve(case, input, requirement, Basis::Mean).unwrap()
     }
 
     #[test]
@@ -393,6 +404,30 @@ mod tests {
     }
 
     #[test]
+    fn characteristic_values_need_more_and_factors_leave_the_deflection_alone() {
+        // 25 kN on 0.88485 of 29.1 x 1 x (1.5 d + 0.45) kN: d = 0.3472 m; on the mean 0.2727 m.
+        let at = asked(REFERENCE, Some(25_000.0), Some(0.7));
+        for (basis, part) in [(Basis::Mean, 1.0), (Basis::Characteristic, 0.884_85)] {
+            let s = solve(&at, Input::Plate, Requirement::Force, basis).unwrap();
+            let by_hand = (25.0 / (29.1 * part) - 0.45) / 1.5;
+            assert!((s.crossings[0].value - by_hand).abs() < 1e-9, "{basis:?}");
+        }
+        let mut factored = at.clone();
+        factored.question.gamma_load = 1.3;
+        let of = |case| solved(case, Input::Spacing, Requirement::Deflection).crossings;
+        assert!((of(&factored)[0].value - of(&at)[0].value).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_wider_spacing_is_not_advised() {
+        let at = asked(REFERENCE, Some(28_000.0), None);
+        let s = solved(&at, Input::Spacing, Requirement::Force);
+        assert!(s.crossings[0].met_above && !s.crossings[0].advised);
+        let s = solved(&at, Input::Plate, Requirement::Force);
+        assert!(s.crossings[0].met_above && s.crossings[0].advised);
+    }
+
+    #[test]
     fn a_jump_is_a_jump_and_all_crossings_are_there() {
         // D = 0.2, d from 0.16: below d = 0.2 the large punch, 29.1 x 0.952 x (1.5 d + 0.45) kN, 19.1
         // to 20.8; from d = 0.2 on the small one, 29.1 x 0.494 x (1.5 d + 0.45), 10.8 to 16.8.
@@ -420,8 +455,10 @@ mod tests {
         let s = solved(&asked(REFERENCE, Some(1_000.0), None), Input::Spacing, Requirement::Force);
         assert!(s.always());
         assert_eq!(s.spans, [SolveSpan { from: 1.25, to: 4.5 }]);
-        assert_eq!(solve(&asked(REFERENCE, None, None), Input::Spacing, Requirement::Force), None);
-        assert_eq!(solve(&case(REFERENCE, Some(1.0)), Input::OffsetX, Requirement::Force), None);
+        let none =
+            |case: &Case, input| solve(case, input, Requirement::Force, Basis::Mean).is_none();
+        assert!(none(&asked(REFERENCE, None, None), Input::Spacing));
+        assert!(none(&case(REFERENCE, Some(1.0)), Input::OffsetX));
     }
 
     #[test]

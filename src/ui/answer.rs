@@ -7,7 +7,9 @@ use crate::app::App;
 use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast};
 use crate::remark::Weight;
-use crate::units::{force_text, length_text, significant, to_kn};
+use crate::show::verdict;
+use crate::study::verdict::Finding;
+use crate::units::{force_text, length_text};
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -27,19 +29,22 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
 /// Columns that the answer has at least.
 const NARROWEST: usize = 28;
 
-/// The lines of the answer with their styles, at most `rows`.
+/// The lines of the answer with their styles, at most `rows`. The verdict stands behind the values and is
+/// never pushed off.
 pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     let forecast = match &app.result().derived {
         Ok(derived) => &derived.forecast,
         Err(problems) => {
-            return problems.iter().take(rows).map(|p| (p.to_string(), theme.error)).collect();
+            let problems = problems.iter().map(|p| (p.to_string(), theme.error));
+            return verdict_line(app, theme).into_iter().chain(problems).take(rows).collect();
         }
     };
     let (mut first, rest) = match &forecast.field {
         Ok(field) => field_lines(app, forecast, field, theme),
         Err(why) => {
-            let lines = textwrap::wrap(why.sentence(), NARROWEST);
-            (lines.iter().map(|line| (line.to_string(), theme.caution)).collect(), Vec::new())
+            let said = textwrap::wrap(why.sentence(), NARROWEST);
+            let said = said.iter().map(|line| (line.to_string(), theme.caution));
+            (verdict_line(app, theme).into_iter().chain(said).collect(), Vec::new())
         }
     };
     // Where rows are few, what to distrust comes before how it was found.
@@ -54,6 +59,39 @@ pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     }
     first.truncate(rows);
     first
+}
+
+/// The verdict in a few words with its mark in front, where anything is asked.
+fn verdict_line(app: &App, theme: &Theme) -> Option<(String, Style)> {
+    let v = app.result().asked_verdict()?;
+    let finding = v.finding();
+    Some((format!("{} {}", finding.mark(), verdict::short(v)), style(finding, theme)))
+}
+
+/// How a finding is drawn.
+pub(crate) fn style(finding: Finding, theme: &Theme) -> Style {
+    match finding {
+        Finding::Fails => theme.error,
+        Finding::NotJudged | Finding::Doubtful => theme.caution,
+        Finding::Passes | Finding::NotAsked => theme.text,
+    }
+}
+
+/// The checks behind the verdict, the basis and the factors that act, what to know beside it.
+fn checked_lines(app: &App, theme: &Theme) -> (Lines, Lines) {
+    let Some(v) = app.result().asked_verdict() else { return (Vec::new(), Vec::new()) };
+    let checks = v.checks.iter().filter_map(|c| {
+        let style = if c.state.fails() { theme.error } else { theme.text };
+        verdict::brief(v, c, app.units()).map(|text| (text, style))
+    });
+    let cautions = v.remarks.iter().map(|r| (format!("! {}", r.short()), theme.caution));
+    let question = &app.layout().question;
+    let mut basis = format!("{} values", v.basis.word());
+    if question.gamma_load != 1.0 || question.gamma_resistance != 1.0 {
+        basis += &format!(", gL {} gR {}", question.gamma_load, question.gamma_resistance);
+    }
+    let basis = (basis, theme.text);
+    (checks.collect(), std::iter::once(basis).chain(cautions).collect())
 }
 
 /// Lines of text with their styles.
@@ -71,8 +109,16 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         ),
         theme.forecast,
     )];
-    lines.extend(check::lines(app, theme));
-    lines.extend(design_lines(app, theme));
+    lines.extend(verdict_line(app, theme));
+    let (checks, beside) = checked_lines(app, theme);
+    let dem = check::lines(app, theme);
+    // With a check the numbers of both stand before their reasons.
+    let (dem_first, dem_rest) = dem.split_at(dem.len().min(2));
+    lines.extend_from_slice(dem_first);
+    lines.extend(checks);
+    lines.extend(beside);
+    lines.extend_from_slice(dem_rest);
+    lines.extend(mobilised(app, theme));
     let branch = match field.branch {
         crate::forecast::field::Branch::SmallPunch => "small punch",
         crate::forecast::field::Branch::LargePunch => "large punch",
@@ -85,48 +131,14 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     (lines, how)
 }
 
-fn design_lines(app: &App, theme: &Theme) -> Lines {
-    let mut lines = Vec::new();
-    let Some(design) = app.result().answer() else { return lines };
-    let m = |v: f64| length_text(v, app.units());
-    let layout = app.layout();
-    let factors = layout.question.gamma_load != 1.0 || layout.question.gamma_resistance != 1.0;
-    if let Some(a) = design.at_force {
-        let load = significant(to_kn(a.load), 3);
-        let percent = format!("{:.0} %", a.utilisation * 100.0);
-        let style = if a.trouble().is_some() { theme.error } else { theme.text };
-        let text = match (a.deflection, a.trouble()) {
-            (Some(deflection), _) if a.utilisation <= 1.0 => {
-                format!("at {load} kN: {}  use {percent}", m(deflection))
-            }
-            (_, trouble) => format!("{}: use {percent} at {load}", trouble.unwrap_or_default()),
-        };
-        lines.push((text, style));
-        if let (true, Some(trouble), Some(allowed)) =
-            (a.over_allowed(), a.trouble(), layout.question.deflection)
-        {
-            lines.push((format!("{trouble} {}", m(allowed)), style));
-        }
-    }
-    if let Some(a) = design.at_deflection {
-        let allowed = layout.question.deflection.map_or(String::new(), m);
-        let text = if a.beyond_failure {
-            format!("fails before {allowed}")
-        } else {
-            format!("at {allowed}: {}", force_text(a.force))
-        };
-        lines.push((text, if a.beyond_failure { theme.caution } else { theme.text }));
-    }
-    if factors && (design.at_force.is_some() || design.at_deflection.is_some()) {
-        lines.push((
-            format!(
-                "factors gL {}, gR {}",
-                layout.question.gamma_load, layout.question.gamma_resistance
-            ),
-            theme.text,
-        ));
-    }
-    lines
+/// The force at the allowed deflection.
+fn mobilised(app: &App, theme: &Theme) -> Option<(String, Style)> {
+    let a = app.result().answer()?.at_deflection?;
+    let allowed = length_text(app.layout().question.deflection?, app.units());
+    Some(match a.beyond_failure {
+        true => (format!("fails before {allowed}"), theme.caution),
+        false => (format!("at {allowed}: {}", force_text(a.force)), theme.text),
+    })
 }
 
 /// The heaviest warnings in a few words, and how many more there are.

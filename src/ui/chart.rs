@@ -118,14 +118,14 @@ fn axes(app: &App, area: Rect, theme: &Theme) -> Option<CurvePlot> {
             force = f.laboratory.force;
         }
     }
-    let layout = app.layout();
+    let asked = app.layout().asked();
     // A design value far beyond failure is named, not drawn: the curve must stay readable.
     let holding = |largest: f64, value: Option<f64>| match value {
         Some(v) if v < 1.6 * largest => largest.max(v),
         _ => largest,
     };
-    let force = holding(force, layout.question.force.map(|f| f * layout.question.gamma_load));
-    let deflection = holding(deflection, layout.question.deflection);
+    let force = holding(force, asked.force.map(|f| f * asked.gamma_load));
+    let deflection = holding(deflection, asked.deflection);
     let per_metre = app.units().per_metre();
     let (width, height) = (area.width - LABELS - 1, area.height - 2);
     let x = Axis::holding(deflection * per_metre, u32::from(width / 10).clamp(2, 8));
@@ -149,16 +149,16 @@ fn laboratory_label(app: &App, values: Values, chart: &mut CurvePlot, theme: &Th
 
 /// Design force across, allowable deflection upright, where they are set and on the chart.
 fn design_lines(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
-    let layout = app.layout();
+    let asked = app.layout().asked();
     let pen = |sign| DotPen { ink: Ink::Design, pattern: Pattern::Dashed(2, 4), ascii: Some(sign) };
     let end = chart.end();
-    if let Some(load) = layout.question.force.map(|f| f * layout.question.gamma_load)
+    if let Some(load) = asked.force.map(|f| f * asked.gamma_load)
         && load <= end.force
     {
         let at = |deflection| Point { deflection, force: load };
         chart.line([at(0.0), at(end.deflection)], pen('-'), grid);
     }
-    if let Some(deflection) = layout.question.deflection
+    if let Some(deflection) = asked.deflection
         && deflection <= end.deflection
     {
         let at = |force| Point { deflection, force };
@@ -168,12 +168,12 @@ fn design_lines(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
 
 /// The axes and the design values in words, for the chart's heading.
 pub(crate) fn caption(app: &App) -> String {
-    let layout = app.layout();
+    let asked = app.layout().asked();
     let mut parts = vec![format!("F (kN) over delta ({})", app.units().symbol())];
-    if let Some(f) = layout.question.force {
-        parts.push(format!("design {}", significant(to_kn(f * layout.question.gamma_load), 3)));
+    if let Some(f) = asked.force {
+        parts.push(format!("design {}", significant(to_kn(f * asked.gamma_load), 3)));
     }
-    if let Some(d) = layout.question.deflection {
+    if let Some(d) = asked.deflection {
         parts.push(format!("allowed {}", length_text(d, app.units())));
     }
     parts.join(", ")

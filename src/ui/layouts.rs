@@ -1,12 +1,15 @@
-//! The list of layouts with the force of each.
+//! The list of layouts with force and verdict of each.
 
+use super::answer::style;
 use super::chart::overlay_letter;
-use super::text::{below, cut, heading, put};
+use super::text::{below, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::derived::LayoutResult;
 use crate::forecast::NoField;
 use crate::remark::Weight;
+use crate::show::names::shortened;
+use crate::study::verdict::{Finding, Verdict};
 use crate::units::{significant, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -23,19 +26,28 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let list = below(area, 1);
     let rows = usize::from(list.height);
     let first = first_shown(app.selected(), rows, layouts.len());
-    for (row, index) in (first..layouts.len()).take(rows).enumerate() {
+    let room = usize::from(list.width).saturating_sub(12);
+    let shown = first..layouts.len().min(first + rows);
+    let names: Vec<&str> = layouts[shown.clone()].iter().map(|l| l.name.as_str()).collect();
+    let names = shortened(&names, room);
+    for (row, (index, name)) in shown.zip(names).enumerate() {
         let selected = index == app.selected();
         let sign = if selected { ">" } else { " " };
         let letter = overlay_letter(app, index).unwrap_or(' ');
-        let room = usize::from(list.width).saturating_sub(11);
-        let (value, mark) = force(&app.results()[index]);
-        let name = cut(&layouts[index].name, room);
+        let result = &app.results()[index];
+        let (value, doubt) = force(result);
+        let finding = result.verdict.as_ref().map_or(Finding::NotAsked, Verdict::finding);
         let used = unicode_width::UnicodeWidthStr::width(name.as_str());
         let line = format!(
-            "{sign}{letter}{name}{} {value:>6} {mark}",
-            " ".repeat(room.saturating_sub(used))
+            "{sign}{letter}{name}{} {value:>6} {}{doubt}",
+            " ".repeat(room.saturating_sub(used)),
+            finding.mark()
         );
         put(buf, list, row as u16, 0, &line, if selected { theme.selected } else { theme.text });
+        if !selected && finding != Finding::NotAsked {
+            let column = room as u16 + 10;
+            put(buf, list, row as u16, column, &finding.mark().to_string(), style(finding, theme));
+        }
     }
 }
 

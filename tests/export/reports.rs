@@ -104,7 +104,7 @@ fn the_steps_and_their_equations_stand_in_the_report() {
         "29.10 kN",
         "0.6480 m",
         "0.6280 \u{b1}",
-        "105 %, not enough",
+        "FAILS: strength 105 %",
         "sha256sum",
         "meshcast validate",
         "meshcast forecast -d 0.4 -L 3.0 -D 1.25 --mesh dt-8x10-2.7 --force 20.0 --deflection 0.6 --gamma-load 1.3 --gamma-resistance 1.25",

@@ -8,6 +8,7 @@ use meshcast::mesh::MeshType;
 use meshcast::study::sensitivity::{Change, Sensitivity, cases, sensitivity};
 use meshcast::study::solve::{Requirement, RequirementKind, solve};
 use meshcast::study::sweep::{Grid, SweepAxis, sweep};
+use meshcast::study::verdict::Basis;
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -102,10 +103,11 @@ proptest! {
         let base = case(layout, mesh, rule, question);
         for requirement in Requirement::asked(&question) {
             for input in [Input::Plate, Input::Spacing, Input::Punch] {
-                let s = solve(&base, input, requirement).unwrap();
+                let s = solve(&base, input, requirement, Basis::Mean).unwrap();
                 for c in &s.crossings {
-                    let point = base.with(input, c.value).outcome().unwrap();
-                    let margin = requirement.margin(&point.field, &question).unwrap();
+                    let there = base.with(input, c.value);
+                    let point = there.outcome().unwrap();
+                    let margin = requirement.margin(&there, &point, Basis::Mean).unwrap();
                     prop_assert!(margin >= 0.0);
                     if requirement == Requirement::Force {
                         let used = point.utilisation().unwrap();
@@ -121,8 +123,9 @@ proptest! {
                 prop_assert!(s.spans.iter().all(|p| p.from <= p.to));
                 prop_assert_eq!(s.never() , s.spans.is_empty());
                 let value = s.range.min + (s.range.max - s.range.min) * at;
-                let met = base.with(input, value).outcome().ok().is_some_and(|p| {
-                    requirement.margin(&p.field, &question).is_some_and(|m| m >= 0.0)
+                let there = base.with(input, value);
+                let met = there.outcome().ok().is_some_and(|p| {
+                    requirement.margin(&there, &p, Basis::Mean).is_some_and(|m| m >= 0.0)
                 });
                 let inside = s.spans.iter().any(|p| (p.from..=p.to).contains(&value));
                 // At a crossing the two may differ by rounding.

@@ -186,8 +186,8 @@ fn design_values_are_set_and_cleared() {
     let mut app = app();
     press(&mut app, "<Down><Down><Down><Down><Down>20<Enter>");
     assert_eq!(app.layout().question.force, Some(20_000.0));
-    // By hand: 20/22.8 = 88 % of F_a = 22.8 kN (Table 1, test 1).
-    assert!(text(&app).contains("use 88 %"), "{}", text(&app));
+    // By hand: 20 over 0.88485 F_a, F_a = 22.8 kN (Table 1, test 1).
+    assert!(text(&app).contains("PASSES: strength 99.1 %"), "{}", text(&app));
     press(&mut app, "<Del>");
     assert_eq!(app.layout().question.force, None);
     press(&mut app, "<Right>");

@@ -57,7 +57,11 @@ impl Editor {
             field: Input::Plate,
             stand_in: (
                 NamedLayout::new("", layout::REFERENCE, REFERENCE_ID),
-                LayoutResult { case: None, derived: Err(vec![Problem::new("layouts", NONE)]) },
+                LayoutResult {
+                    case: None,
+                    derived: Err(vec![Problem::new("layouts", NONE)]),
+                    verdict: None,
+                },
             ),
             units,
         }
@@ -258,6 +262,7 @@ impl Editor {
         if let Some(layout) = project.layouts.get_mut(index) {
             layout.check = Some(Arc::new(result));
             self.project = Arc::new(project);
+            self.derive();
         }
     }
 

@@ -5,7 +5,8 @@ use super::{check, method};
 use crate::app::App;
 use crate::case::Derived;
 use crate::forecast::{Field, Forecast};
-use crate::units::{LengthUnit, force_text, length_text, shortest, significant, to_kn};
+use crate::show::verdict;
+use crate::units::{LengthUnit, force_text, length_text, percent, shortest, significant, to_kn};
 use crate::words::Choice;
 
 /// All there is to know of the selected layout.
@@ -23,6 +24,7 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
             }
         }
         Ok(Derived { forecast, .. }) => {
+            judged(&mut page, app);
             page.heading("Warnings");
             if forecast.warnings.is_empty() {
                 page.text("  none: all inputs are inside the published ranges", 2);
@@ -37,6 +39,17 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
     page.heading("The method");
     method(&mut page);
     page.lines
+}
+
+/// Whether it is enough: each check, what to know beside it, and what would mend it.
+fn judged(page: &mut TextPage, app: &App) {
+    let result = app.result();
+    let (Some(case), Some(v)) = (&result.case, result.verdict.as_ref()) else { return };
+    page.heading(&format!("Verdict, by {} values (B changes that)", v.basis.word()));
+    page.text(&format!("  {}", verdict::short(v)), 2);
+    for line in verdict::lines(case, v, app.units()) {
+        page.text(&format!("  {line}"), 4);
+    }
 }
 
 fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
@@ -133,24 +146,17 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
     page.row("design resistance F_a / factor", &force_text(answer.resistance));
     if let Some(a) = answer.at_force {
         page.row("design load F x factor", &force_text(a.load));
-        page.row(
-            "utilisation",
-            &format!(
-                "{:.0} %{}",
-                a.utilisation * 100.0,
-                if a.utilisation > 1.0 { ", not enough" } else { "" }
-            ),
-        );
+        page.row("utilisation", &format!("{} %", percent(a.utilisation)));
         page.row("margin", &force_text(a.margin));
         page.row(
             "deflection under it",
             &match a.deflection {
-                Some(reached) => format!("{}{}", length_text(reached, unit), a.allowed_text()),
+                Some(reached) => length_text(reached, unit),
                 None => "beyond failure".into(),
             },
         );
-        if let Some(used) = a.deflection_use {
-            page.row("use of the allowed deflection", &format!("{:.0} %", used * 100.0));
+        if let Some(reached) = a.service_deflection {
+            page.row("deflection without the load factor", &length_text(reached, unit));
         }
     }
     if let Some(a) = answer.at_deflection {

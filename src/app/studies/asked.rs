@@ -40,7 +40,7 @@ impl App {
             }
             return;
         }
-        let asked = self.layout().question.force.is_some();
+        let asked = self.layout().asked().force.is_some();
         match self.screen.page() {
             Some(StudyPage::Sensitivity) => self.studies.sensitivity.ask(ask, asked),
             Some(StudyPage::Sweep) => self.sweep_ask(ask, asked),

@@ -4,7 +4,8 @@ use super::super::keymap::Ask;
 use super::given::Given;
 use crate::case::Input;
 use crate::study::checks::figures::Figures;
-use crate::study::compare::{Column, Comparison, compare};
+use crate::study::compare::{Column, Comparison, LayoutToCompare, compare};
+use crate::study::verdict::Simulated;
 use crate::words::Choice;
 use std::cmp::Ordering;
 
@@ -27,7 +28,7 @@ pub enum ColumnHead {
 
 impl ColumnHead {
     /// All columns in the order of the table, the name first.
-    pub(crate) const ALL: [ColumnHead; 19] = [
+    pub(crate) const ALL: [ColumnHead; 20] = [
         ColumnHead::Of(Column::Name),
         ColumnHead::Of(Column::Size(Input::Plate)),
         ColumnHead::Of(Column::Size(Input::Spacing)),
@@ -36,13 +37,14 @@ impl ColumnHead {
         ColumnHead::Of(Column::Size(Input::OffsetY)),
         ColumnHead::Of(Column::Force),
         ColumnHead::Of(Column::Deflection),
-        ColumnHead::Of(Column::Utilisation),
+        ColumnHead::Of(Column::Use),
+        ColumnHead::Of(Column::ServiceDeflection),
         ColumnHead::DemForce,
         ColumnHead::DemOverForce,
         ColumnHead::Of(Column::ForceRatio),
         ColumnHead::Of(Column::DeflectionRatio),
+        ColumnHead::Of(Column::Utilisation),
         ColumnHead::Of(Column::DesignDeflection),
-        ColumnHead::Of(Column::ServiceDeflection),
         ColumnHead::DemDeflection,
         ColumnHead::DemOverDeflection,
         ColumnHead::DemUtilisation,
@@ -142,12 +144,16 @@ impl CompareState {
     /// Makes what the page shows anew.
     pub(super) fn follow(&mut self, given: &Given) {
         let layouts: Vec<usize> = given.cases().map(|(index, ..)| index).collect();
-        let cases = given.cases().map(|(_, layout, case)| (layout.name.clone(), case.clone()));
-        let comparison = compare(cases);
+        let cases = given.cases().map(|(_, layout, case)| LayoutToCompare {
+            name: layout.name.clone(),
+            case: case.clone(),
+            simulated: Simulated::of(layout.check.as_deref(), case),
+        });
+        let comparison = compare(cases, given.editor.project().basis);
         let checked = layouts.iter().zip(&comparison.rows).map(|(index, row)| {
             let shown = given.kept(*index)?;
             Some(Checked {
-                figures: Figures::of(shown.result, row.values().ok(), &row.case.question),
+                figures: Figures::of(shown.result, row.values().ok(), &row.case.asked()),
                 stale: shown.stale(),
                 partial: shown.result.partial(),
             })

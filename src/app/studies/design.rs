@@ -9,6 +9,7 @@ use crate::fingerprint::Fingerprint;
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Crossing, Place, Requirement, Solution, solve};
+use crate::study::verdict::Basis;
 use std::sync::Arc;
 
 /// The inputs that are solved for.
@@ -17,6 +18,8 @@ const SOLVED: [Input; 3] = [Input::Plate, Input::Spacing, Input::Punch];
 /// What the page shows.
 #[derive(Debug)]
 pub struct DesignView {
+    /// Which value of the capacities is taken.
+    pub basis: Basis,
     /// The layout as a case.
     pub case: Case,
     /// What it gives.
@@ -66,13 +69,16 @@ pub enum DesignKind {
     Never(Option<Place>),
 }
 
+/// What solutions are made of: the question, what has to be met, and on which basis.
+type Solving = (Fingerprint, Requirement, Basis);
+
 /// Where the user is on the page.
 #[derive(Debug, Default)]
 pub(crate) struct DesignState {
     requirement: Option<Requirement>,
     marked: usize,
     /// The last solutions with what they were made of: solving takes some milliseconds.
-    solved: Option<(Fingerprint, Requirement, Arc<Vec<Solution>>)>,
+    solved: Option<(Solving, Arc<Vec<Solution>>)>,
     view: Option<DesignView>,
 }
 
@@ -86,6 +92,9 @@ fn cases(case: &Case, lines: &[DesignLine]) -> Vec<Case> {
 
 /// What is said where there is nothing to be met.
 const NOTHING_ASKED: &str = "no design value is set: F types a force, D a deflection";
+
+/// What is said where anchors farther apart would be taken as a cure.
+const NOT_ADVISED: &str = "wider anchors are no cure: more rock hangs on each";
 
 impl DesignState {
     /// What the page shows.
@@ -108,7 +117,8 @@ impl DesignState {
         let chosen = self.requirement.filter(|r| asked.contains(r));
         // Both at once stands last.
         let requirement = chosen.or(asked.last().copied());
-        let solutions = requirement.map_or_else(Arc::default, |r| self.solved(&case, r));
+        let basis = given.editor.project().basis;
+        let solutions = requirement.map_or_else(Arc::default, |r| self.solved(&case, r, basis));
         let mut lines: Vec<DesignLine> =
             solutions.iter().flat_map(|solution| lines(&case, solution)).collect();
         let all = cases(&case, &lines);
@@ -117,7 +127,7 @@ impl DesignState {
         let figures = |answer: Option<&CheckAnswer>, outcome: &CaseValue| {
             let result = answer?.as_ref().ok()?;
             let forecast = outcome.as_ref().ok().map(crate::case::CasePoint::values);
-            Some(Figures::of(result, forecast, &case.question))
+            Some(Figures::of(result, forecast, &case.asked()))
         };
         let outcome = case.outcome();
         let own = figures(answers.first(), &outcome);
@@ -128,20 +138,36 @@ impl DesignState {
             }
         }
         let marked = self.marked.min(lines.len().saturating_sub(1));
-        DesignView { case, outcome, asked, requirement, solutions, lines, marked, coverage, own }
+        DesignView {
+            basis,
+            case,
+            outcome,
+            asked,
+            requirement,
+            solutions,
+            lines,
+            marked,
+            coverage,
+            own,
+        }
     }
 
     /// The solutions, made anew only where something changed.
-    fn solved(&mut self, case: &Case, requirement: Requirement) -> Arc<Vec<Solution>> {
-        let of = case.question_fingerprint();
-        if let Some((inputs, what, solutions)) = &self.solved
-            && (*inputs, *what) == (of, requirement)
+    fn solved(
+        &mut self,
+        case: &Case,
+        requirement: Requirement,
+        basis: Basis,
+    ) -> Arc<Vec<Solution>> {
+        let of = (case.question_fingerprint(), requirement, basis);
+        if let Some((what, solutions)) = &self.solved
+            && *what == of
         {
             return solutions.clone();
         }
-        let all = SOLVED.into_iter().filter_map(|input| solve(case, input, requirement));
+        let all = SOLVED.into_iter().filter_map(|input| solve(case, input, requirement, basis));
         let solutions = Arc::new(all.collect::<Vec<Solution>>());
-        self.solved = Some((of, requirement, solutions.clone()));
+        self.solved = Some((of, solutions.clone()));
         solutions
     }
 
@@ -176,6 +202,9 @@ impl DesignState {
         };
         let symbol = line.input.symbol();
         Some(match &line.kind {
+            DesignKind::Take { crossing, .. } if !crossing.advised => {
+                Err(Status::error(NOT_ADVISED))
+            }
             DesignKind::Take { value, .. } => Ok((view.case.with(line.input, *value), symbol)),
             DesignKind::Always => {
                 Err(Status::info(format!("every {symbol} of the range meets it")))

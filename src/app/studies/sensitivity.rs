@@ -44,7 +44,7 @@ impl SensitivityState {
         self.view = given.case().map(|case| {
             let cases = dem::cases(&case);
             let answers = given.answers(&cases);
-            let asked = case.question.force.is_some();
+            let asked = case.asked().force.is_some();
             let effect = self.effect.filter(|e| Effect::all(asked).contains(e));
             let purpose = given.purpose(StudyPage::Sensitivity, 0);
             SensitivityView {

@@ -172,7 +172,7 @@ impl SweepState {
             [first, second, ..] => Grid::new(first, Some(second)),
             [] => Err(Vec::new()),
         };
-        let asked = case.question.force.is_some();
+        let asked = case.asked().force.is_some();
         let shown = self.shown.filter(|e| Effect::all(asked).contains(e));
         let mut view = SweepView {
             axes,

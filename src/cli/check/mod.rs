@@ -14,12 +14,12 @@ mod text;
 pub(crate) use flags::CheckArgs;
 pub(super) use flags::{runs, threads};
 
-use super::case::Inputs;
+use super::case::{Inputs, NamedCase};
 use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, say};
 use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
-use crate::case::{Case, NamedCase, expected_break};
+use crate::case::{Case, expected_break};
 use crate::dem::{Arrangement, Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::{Field, Values, laboratory};
@@ -135,7 +135,7 @@ fn prepare(
     args: &CheckArgs,
     inputs: &Inputs,
     wires: &Wires,
-    NamedCase { name, mut case }: NamedCase,
+    NamedCase { name, mut case, .. }: NamedCase,
 ) -> Result<Ready, Fault> {
     let other_net = wires.other_net(&case.mesh);
     let plan = args.plan();

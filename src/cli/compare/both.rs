@@ -36,7 +36,7 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
                 continue;
             }
         };
-        let f = Figures::of(result, row.values().ok(), &row.case.question);
+        let f = Figures::of(result, row.values().ok(), &row.case.asked());
         let none = || "-".to_string();
         let kn = |v: f64| number(v, Effect::Force, unit);
         let band =

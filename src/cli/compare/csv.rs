@@ -4,8 +4,8 @@ use super::Compared;
 use crate::case::Input;
 use crate::show::columns::{self, CheckRow, OVER_LAB, PointRow, check_mean, check_more, point};
 use crate::show::table::Table;
+use crate::show::verdict;
 use crate::study::compare::CompareRow;
-use crate::study::verdict::Verdict;
 
 /// One layout.
 struct LayoutRow<'a> {
@@ -13,7 +13,6 @@ struct LayoutRow<'a> {
     point: PointRow<'a>,
     governing: bool,
     check: Option<CheckRow<'a>>,
-    verdict: &'a Verdict,
 }
 
 /// The layouts, with the checks where there are any.
@@ -31,9 +30,7 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> String {
         .part(OVER_LAB, |l| l.row.forecast())
         .part([utilisation, at_load, service], |l| Some(&l.point))
         .with("governing", |l| l.governing.into())
-        .with("verdict", |l| l.verdict.finding().word().into())
-        .with("verdict_by", |l| l.verdict.governing().map(|c| c.aspect.word()).into())
-        .with("verdict_use", |l| l.verdict.largest_use().into())
+        .part(verdict::COLUMNS, |l| Some(&l.row.verdict))
         .part([missing, warnings], |l| Some(&l.point))
         .when(compared.checked.is_some(), |table| {
             table.part(check_mean(), |l| l.check.as_ref()).part(check_more(), |l| l.check.as_ref())
@@ -48,9 +45,8 @@ fn one(compared: &Compared, index: usize) -> LayoutRow<'_> {
     let answer = compared.answer(index);
     LayoutRow {
         row,
-        verdict: &compared.verdicts[index],
         point,
         governing: c.governing.is_some_and(|g| g.row == index),
-        check: answer.map(|a| CheckRow::new(a, point.values, &row.case.question)),
+        check: answer.map(|a| CheckRow::new(a, point.values, &row.case.asked())),
     }
 }

@@ -4,11 +4,11 @@ use super::{Compared, mark};
 use crate::cli::VERSION;
 use crate::cli::output::{Fault, json};
 use crate::cli::page::BASIS;
-use crate::forecast::design::Limit;
 use crate::show::columns::{CheckRow, OVER_LAB, PointRow, RATIOS, point};
 use crate::show::objects::{self, check, design, inputs, plan};
 use crate::show::value::{Object, Value, kn};
 use crate::show::verdict;
+use crate::study::verdict::Aspect;
 
 /// One object with a list of the layouts.
 pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fault> {
@@ -17,8 +17,9 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fau
         let row = &c.rows[g.row];
         Object::new()
             .with("layout", row.name.clone())
-            .with("by", by(g.used.map(|(_, limit)| limit)))
+            .with("by", g.by.map_or("F", Aspect::word))
             .with("utilisation", row.utilisation())
+            .with("use", row.verdict.largest_use())
             .with("F_kN", row.values().ok().map(|v| kn(v.force)))
     });
     let report = Object::new()
@@ -31,15 +32,6 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fau
     Ok(json(&report)? + "\n")
 }
 
-/// What the governing layout governs by.
-fn by(limit: Option<Limit>) -> &'static str {
-    match limit {
-        Some(Limit::Force) => "utilisation",
-        Some(Limit::Deflection) => "deflection",
-        None => "F",
-    }
-}
-
 fn one(compared: &Compared, index: usize) -> Object {
     let c = &compared.comparison;
     let row = &c.rows[index];
@@ -50,7 +42,7 @@ fn one(compared: &Compared, index: usize) -> Object {
     let question = &row.case.question;
     let check = compared
         .answer(index)
-        .map(|answer| check(&CheckRow::new(answer, given.values, question), None));
+        .map(|answer| check(&CheckRow::new(answer, given.values, &row.case.asked()), None));
     Object::new()
         .with("layout", row.name.clone())
         .with("fingerprint", row.case.fingerprint().to_string())
@@ -59,10 +51,7 @@ fn one(compared: &Compared, index: usize) -> Object {
         .with("ratios", ratios)
         .columns(&[utilisation, service], &given)
         .with("design", given.answer.map(|answer| design(&answer, &row.case.asked())))
-        .maybe(
-            "verdict",
-            question.asks().then(|| verdict::object(&row.case, &compared.verdicts[index])),
-        )
+        .maybe("verdict", question.asks().then(|| verdict::object(&row.case, &row.verdict)))
         .and(check.unwrap_or_default())
         .with("governing", c.governing.is_some_and(|g| g.row == index))
         .with("mark", mark(row))

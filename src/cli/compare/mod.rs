@@ -9,23 +9,23 @@ mod json;
 mod text;
 
 use super::UiFlags;
-use super::case::Inputs;
+use super::case::{Inputs, NamedCase};
 use super::choice::one_of;
 use super::dem::{DemFlags, Job};
 use super::output::{CommandEnd, Output, TableFormat, csv_as};
 use super::verdict::VerdictFlags;
 use crate::remark::Weight;
 use crate::study::checks::CheckAnswer;
-use crate::study::compare::{Column, CompareRow, Comparison, compare};
+use crate::study::compare::{self, Column, CompareRow, Comparison};
 use crate::study::result::Wanted;
-use crate::study::verdict::{Basis, Simulated, Verdict, verdict};
+use crate::study::verdict::Simulated;
 use crate::words::Choice;
 use clap::Args;
 use std::path::PathBuf;
 
 /// The layouts of a project in one table, and which of them governs.
 ///
-/// Governing is the highest utilisation, or the lowest force where no layout has a design force.
+/// Governing is the worst verdict, or the lowest force where no layout has a load.
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Project file.
@@ -54,8 +54,6 @@ struct Compared {
     comparison: Comparison,
     /// What is asked of the checks, and one answer for each row, where they are asked for.
     checked: Option<(Wanted, Vec<CheckAnswer>)>,
-    /// The verdict on each row, by the forecast and by its check where there is one.
-    verdicts: Vec<Verdict>,
 }
 
 impl Compared {
@@ -73,24 +71,29 @@ fn mark(row: &CompareRow) -> &'static str {
 /// Compares and writes the result in the form asked for.
 pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.inputs.of_file(&args.project, None, ui)?;
-    let cases = loaded.cases.into_iter().map(|c| (c.name.unwrap_or_default(), c.case));
-    let comparison = compare(cases);
-    let order = match args.sort {
-        Some(column) => comparison.sorted(column, args.descending),
-        None => (0..comparison.rows.len()).collect(),
-    };
     let mut interrupted = false;
     let checked = args.dem.wanted().map(|wanted| {
-        let rows = comparison.rows.iter();
-        let jobs: Vec<Job> =
-            rows.map(|row| Job { name: row.name.clone(), case: row.case.clone() }).collect();
+        let job =
+            |c: &NamedCase| Job { name: c.name.clone().unwrap_or_default(), case: c.case.clone() };
+        let jobs: Vec<Job> = loaded.cases.iter().map(job).collect();
         let done = args.dem.run(&wanted, &jobs);
         interrupted = done.interrupted;
         (wanted, done.answers)
     });
-    let basis = args.verdict.basis(loaded.basis);
-    let verdicts = judged(&comparison, checked.as_ref().map(|(_, answers)| answers), basis);
-    let compared = Compared { comparison, checked, verdicts };
+    let layouts = loaded.cases.iter().enumerate().map(|(row, c)| {
+        let simulated = match &checked {
+            Some((_, answers)) => made(answers.get(row)),
+            None => Simulated::of(c.check.as_deref(), &c.case),
+        };
+        let name = c.name.clone().unwrap_or_default();
+        compare::LayoutToCompare { name, case: c.case.clone(), simulated }
+    });
+    let comparison = compare::compare(layouts, args.verdict.basis(loaded.basis));
+    let order = match args.sort {
+        Some(column) => comparison.sorted(column, args.descending),
+        None => (0..comparison.rows.len()).collect(),
+    };
+    let compared = Compared { comparison, checked };
     let result = match args.format {
         TableFormat::Text => text::report(&compared, &order, loaded.unit),
         TableFormat::Json => json::report(&compared, &order)?,
@@ -98,16 +101,14 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
             csv_as(args.format, csv::report(&compared, &order))
         }
     };
-    let verdict = args.verdict.code(compared.verdicts.iter());
+    let verdict = args.verdict.code(compared.comparison.rows.iter().map(|row| &row.verdict));
     Ok(Output { result, verdict, interrupted, ..Output::default() })
 }
 
-/// The verdict on each row.
-fn judged(c: &Comparison, answers: Option<&Vec<CheckAnswer>>, basis: Basis) -> Vec<Verdict> {
-    let simulated = |row: usize| match answers.and_then(|all| all.get(row)) {
+/// A check that has just been made, in place of the one that is kept.
+fn made(answer: Option<&CheckAnswer>) -> Simulated<'_> {
+    match answer {
         Some(Ok(result)) => Simulated::Current(result),
         _ => Simulated::Missing,
-    };
-    let rows = c.rows.iter().enumerate();
-    rows.map(|(at, r)| verdict(&r.case, r.forecast(), simulated(at), basis)).collect()
+    }
 }

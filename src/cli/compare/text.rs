@@ -22,7 +22,7 @@ const COLUMNS: [Column; 10] = [
     Column::Deflection,
     Column::ForceRatio,
     Column::DeflectionRatio,
-    Column::Utilisation,
+    Column::Use,
 ];
 
 /// The table with its notes.
@@ -47,14 +47,16 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> 
     page.lines.push(head("", |column, unit| comparison::head(column, unit).1));
     for index in order {
         let governs = c.governing.is_some_and(|g| g.row == *index);
-        let mark = compared.verdicts[*index].finding().mark();
+        let mark = c.rows[*index].verdict.finding().mark();
         page.lines.push(line(&c.rows[*index], governs, mark, unit));
     }
     page.lines.push(String::new());
-    page.line("> governing", comparison::governing(c));
+    let (name, why) = comparison::governing(c);
+    let name = name.map_or(String::new(), |name| format!("{name}: "));
+    page.line("> governing", name + &why);
     both::table(&mut page, compared, order);
     for index in order {
-        let found = &compared.verdicts[*index];
+        let found = &c.rows[*index].verdict;
         if found.finding() != Finding::NotAsked {
             let name = &c.rows[*index].name;
             page.line(

@@ -6,6 +6,7 @@ use crate::cli::page::BASIS;
 use crate::show::columns::{PointRow, point};
 use crate::show::objects::{self, design, head, inputs};
 use crate::show::value::{Object, Value};
+use crate::show::verdict;
 use crate::study::solve::{Crossing, Place, Solution};
 use crate::units::to_kn;
 
@@ -16,7 +17,7 @@ pub(crate) fn report(solved: &[Solved], several: bool) -> Result<String, Fault> 
 
 fn one(s: &Solved) -> Object {
     let point = s.outcome.as_ref().ok();
-    let q = &s.case.question;
+    let q = &s.case.asked();
     let question = Object::new()
         .with("F_kN", q.force.map(to_kn))
         .with("delta_m", q.deflection)
@@ -26,6 +27,7 @@ fn one(s: &Solved) -> Object {
         .with("question", question)
         .with("field", point.map(|p| objects::values(p.values())))
         .with("design", point.map(|p| design(&p.answer, q)))
+        .with("verdict", verdict::object(&s.case, &s.verdict))
         .with("solutions", s.solutions.iter().map(solution).collect::<Value>())
         .with("warnings", objects::warnings(PointRow::from(&s.outcome).warnings))
         .with("basis", BASIS)
@@ -62,6 +64,8 @@ fn crossing(c: &Crossing) -> Object {
         .with("rounded_m", c.rounded)
         .with("met", side(c))
         .with("kind", c.kind.word())
+        // Anchors farther apart are no cure for want of strength.
+        .with("advised", c.advised)
         .columns(&point(), &PointRow::from(&c.point))
         .with("beyond", Object::new().columns(&point(), &PointRow::from(&c.beyond)))
 }

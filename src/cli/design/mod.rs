@@ -10,16 +10,18 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::choice::one_of;
-use super::output::{CommandEnd, Fault, TableFormat, csv_as, result};
+use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as};
+use super::verdict::VerdictFlags;
 use crate::case::{self, Case, Input};
 use crate::study::solve::{Crossing, Requirement, Solution, solve};
+use crate::study::verdict::{Simulated, Verdict, verdict};
 use clap::Args;
 
 /// Which plate, spacing or punch just meets a design force or an allowable deflection.
 ///
 /// The question comes from --force, --deflection and the partial factors, or from the project. With
 /// both a force and a deflection each is solved for, and both at once; the deflection is then that at
-/// the factored design force, and without a force it is delta_a. Searched: the published range.
+/// the design force without its factor, and without a force it is delta_a. Searched: the published range.
 #[derive(Debug, Args)]
 pub(crate) struct DesignArgs {
     #[command(flatten)]
@@ -27,6 +29,8 @@ pub(crate) struct DesignArgs {
     /// The input to solve for [default: each of d, L and D].
     #[arg(long, value_name = "INPUT", value_parser = one_of(&[Input::Plate, Input::Spacing, Input::Punch]))]
     solve: Option<Input>,
+    #[command(flatten)]
+    verdict: VerdictFlags,
     /// How the result is written: JSON and CSV in SI with kN.
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
@@ -41,6 +45,8 @@ struct Solved {
     name: Option<String>,
     case: Case,
     outcome: case::CaseValue,
+    /// Whether it is enough as it stands.
+    verdict: Verdict,
     /// By input, then by requirement; empty where nothing is asked of the layout.
     solutions: Vec<Solution>,
 }
@@ -53,6 +59,7 @@ fn side(c: &Crossing) -> &'static str {
 /// Solves for each layout and writes the result in the form asked for.
 pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
+    let basis = args.verdict.basis(loaded.basis);
     let inputs = args.solve.map_or(SOLVED.to_vec(), |one| vec![one]);
     let solved: Vec<Solved> = loaded
         .cases
@@ -61,8 +68,11 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
             let case = c.case;
             let asked = Requirement::asked(&case.asked());
             let pairs = inputs.iter().flat_map(|i| asked.iter().map(move |r| (*i, *r)));
-            let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r)).collect();
-            Solved { name: c.name, outcome: case.outcome(), solutions, case }
+            let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r, basis)).collect();
+            let outcome = case.outcome();
+            let kept = Simulated::of(c.check.as_deref(), &case);
+            let verdict = verdict(&case, &outcome, kept, basis);
+            Solved { name: c.name, outcome, verdict, solutions, case }
         })
         .collect();
     if !solved.is_empty() && solved.iter().all(|s| s.solutions.is_empty()) {
@@ -70,11 +80,13 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
             "there is nothing to design for; give --force or --deflection, or put a design_force or an allowable_deflection in the project",
         ));
     }
-    match args.format {
-        TableFormat::Text => result(text::report(&solved, loaded.unit)),
-        TableFormat::Json => result(json::report(&solved, loaded.several)?),
+    let result = match args.format {
+        TableFormat::Text => text::report(&solved, loaded.unit),
+        TableFormat::Json => json::report(&solved, loaded.several)?,
         TableFormat::Csv | TableFormat::CsvComma => {
-            result(csv_as(args.format, csv::report(&solved, loaded.several)))
+            csv_as(args.format, csv::report(&solved, loaded.several))
         }
-    }
+    };
+    let verdict = args.verdict.code(solved.iter().map(|s| &s.verdict));
+    Ok(Output { result, verdict, ..Output::default() })
 }

@@ -2,7 +2,7 @@
 
 use super::Solved;
 use crate::case::{CaseValue, NoValue};
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
+use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
 use crate::forecast::NoField;
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
@@ -10,8 +10,8 @@ use crate::show::say;
 use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
 use crate::units::{LengthUnit, force_text};
 
-/// Behind a deflection at the factored design force.
-const AT_LOAD: &str = "at the load";
+/// Behind a deflection at the design force.
+const AT_LOAD: &str = "at F";
 
 /// The reports of all layouts, an empty line between them.
 pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
@@ -33,7 +33,8 @@ fn one(s: &Solved, unit: LengthUnit) -> String {
     match &s.outcome {
         Ok(point) => {
             page.line("FIELD", say::values(point.values(), page.unit));
-            page.design(&point.answer, &s.case.question);
+            page.design(&point.answer, &s.case.asked());
+            page.verdict(&s.case, &s.verdict);
         }
         Err(why) => page.line("field", why.sentence()),
     }
@@ -59,7 +60,7 @@ fn one(s: &Solved, unit: LengthUnit) -> String {
 }
 
 fn asked(page: &mut Page, s: &Solved) {
-    let q = &s.case.question;
+    let q = s.case.asked();
     let mut words = Vec::new();
     if let Some(force) = q.force {
         words.push(format!("carry {}", force_text(force)));
@@ -112,6 +113,7 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
     let mut text = match c.kind {
         RequirementKind::Exact => {
             let take = match c.rounded {
+                _ if !c.advised => " (no cure: more rock hangs on each anchor)".to_string(),
                 Some(r) => format!(" (take {} {side})", page.length(r)),
                 None => String::new(),
             };
@@ -152,10 +154,10 @@ fn outcome(page: &Page, o: &CaseValue) -> String {
 fn place(page: &Page, p: &Place, requirement: Requirement) -> String {
     let at = page.length(p.value);
     let Ok(point) = &p.outcome else { return format!("at {at} {}", outcome(page, &p.outcome)) };
-    let used = point.answer.at_force.map(|at| at.use_text());
+    let used = point.utilisation().map(|u| format!("use {} %", percent(u)));
     let reached = match &point.answer.at_force {
         None => page.length(point.values().deflection),
-        Some(force) => match force.deflection {
+        Some(force) => match force.service_deflection {
             Some(reached) => page.length(reached),
             None => "failure before the load".to_string(),
         },

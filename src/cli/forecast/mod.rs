@@ -7,11 +7,11 @@ mod json;
 mod text;
 
 use super::UiFlags;
-use super::case::Source;
+use super::case::{NamedCase, Source};
 use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, result};
 use super::page::BASIS;
 use super::verdict::VerdictFlags;
-use crate::case::{Case, Derived, NamedCase};
+use crate::case::{Case, Derived};
 use crate::forecast::Forecast;
 use crate::forecast::design::Answer;
 use crate::study::verdict::{Basis, Simulated, Verdict, verdict};
@@ -37,7 +37,7 @@ struct Answered {
     forecast: Forecast,
     /// The answer to the design question, where there is a field value and a question.
     design: Option<Answer>,
-    /// The verdict, by the forecast.
+    /// The verdict, by the forecast and by the check that is kept.
     verdict: Verdict,
 }
 
@@ -59,9 +59,9 @@ pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     Ok(Output { verdict, ..output })
 }
 
-fn answered(NamedCase { name, case }: NamedCase, basis: Basis) -> Result<Answered, Fault> {
+fn answered(NamedCase { name, case, check }: NamedCase, basis: Basis) -> Result<Answered, Fault> {
     let Derived { forecast, answer } = case.derive()?;
     let design = answer.filter(|_| case.question.asks());
-    let verdict = verdict(&case, Some(&forecast), Simulated::Missing, basis);
+    let verdict = verdict(&case, &forecast, Simulated::of(check.as_deref(), &case), basis);
     Ok(Answered { name, case, forecast, design, verdict })
 }

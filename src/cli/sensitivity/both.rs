@@ -23,7 +23,7 @@ pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
         Err(why) => return page.line("CHECK", format!("none: {}", why.sentence())),
     };
     let forecast = s.sensitivity.base.as_ref().ok().map(crate::case::CasePoint::values);
-    let f = Figures::of(result, forecast, &s.case.question);
+    let f = Figures::of(result, forecast, &s.case.asked());
     let Some(mean) = f.mean else { return page.line("CHECK", "no run broke a wire") };
     let error = f
         .error

@@ -52,7 +52,7 @@ fn rows(s: &Studied) -> impl Iterator<Item = StepRow<'_>> {
         ];
         steps.map(|(word, step, checked)| {
             let point = PointRow::from(&step.outcome);
-            let check = checked.map(|c| CheckRow::new(&c.answer, point.values, &s.case.question));
+            let check = checked.map(|c| CheckRow::new(&c.answer, point.values, &s.case.asked()));
             StepRow {
                 name: s.name.as_deref(),
                 input: bar.input,

@@ -24,7 +24,7 @@ fn one(s: &Studied, wanted: Option<&Wanted>) -> Object {
     let base = &s.sensitivity.base;
     let row = PointRow::from(base);
     let checks = s.checked.as_ref();
-    let own = checks.map(|c| CheckRow::new(&c.base, row.values, &s.case.question));
+    let own = checks.map(|c| CheckRow::new(&c.base, row.values, &s.case.asked()));
     let bars = s.sensitivity.bars.iter();
     let bars = bars.map(|b| bar(&s.case, b, checks.and_then(|c| c.bar(b.input))));
     let order = |by: &dyn Fn(Effect) -> Vec<&'static str>| {
@@ -62,7 +62,7 @@ fn step(case: &Case, bar: &Bar, step: &Step, checked: Option<&CheckedStep>) -> O
     let row = PointRow::from(outcome);
     let [.., missing, warnings] = point();
     let check = checked.map(|c| {
-        check(&CheckRow::new(&c.answer, row.values, &case.question), Some(c.change.as_ref()))
+        check(&CheckRow::new(&c.answer, row.values, &case.asked()), Some(c.change.as_ref()))
     });
     Object::new()
         .with("value", input(bar.input, step.value))

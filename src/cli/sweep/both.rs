@@ -25,7 +25,7 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
         return page.line("field", "no value anywhere in the range");
     };
     let kn = |v: f64| significant(to_kn(v), 3);
-    let asked = s.case.question.force.is_some();
+    let asked = s.case.asked().force.is_some();
     let text = format!(
         "F from {} to {} kN: F forecast, D mean of the DEM in its band ---, * both",
         kn(least),

@@ -18,7 +18,7 @@ const MOST_ROWS: usize = 24;
 /// at that force; each is followed by
 /// that of the checks, where there are any, in the same shades.
 pub(crate) fn draw(page: &mut Page, s: &Swept, second: &SweepAxis) {
-    let asked = s.case.question.force.is_some();
+    let asked = s.case.asked().force.is_some();
     for shown in Effect::all(asked).iter().copied() {
         let forecast: Vec<Cell> =
             s.sweep.points.iter().map(|outcome| map::forecast(outcome, shown)).collect();

@@ -26,7 +26,7 @@ fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     for axis in std::iter::once(&grid.first).chain(&grid.second) {
         page.line("vary", range(axis, unit));
     }
-    if let Some(force) = s.case.question.force {
+    if let Some(force) = s.case.asked().force {
         let q = &s.case.question;
         page.line(
             "design",
@@ -84,11 +84,11 @@ fn line_plot(page: &mut Page, s: &Swept) {
             deflection(deflections.0, unit),
             deflection(deflections.1, unit),
             unit.symbol(),
-            if s.case.question.force.is_some() { "; : where use is 100 %" } else { "" }
+            if s.case.asked().force.is_some() { "; : where use is 100 %" } else { "" }
         ),
     );
     page.lines.push(String::new());
-    let asked = s.case.question.force.is_some();
+    let asked = s.case.asked().force.is_some();
     let used = if asked { format!("{:>7}{:>9}", "use %", "at F") } else { String::new() };
     let head = format!("{} {}", input.symbol(), input_unit(input, unit));
     let delta = format!("delta {}", unit.symbol());

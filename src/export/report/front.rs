@@ -6,6 +6,8 @@ use crate::VERSION;
 use crate::export::ExportedLayout;
 use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
+use crate::show::verdict;
+use crate::study::verdict::Finding;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
 use crate::words::Choice;
 use sha2::{Digest, Sha256};
@@ -52,7 +54,7 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
         "{delta_a}",
         "{F_a}/{F_l*}",
         "{delta_a}/{delta_l*}",
-        "utilisation",
+        "verdict",
         "to know",
     ];
     document.blocks.push(Block::Table {
@@ -60,7 +62,7 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
         rows: report.cases.iter().map(|case| result_row(case, report.unit)).collect(),
         numbers: true,
     });
-    document.say("Forces are those at failure of the panel, and the forces on each anchor. Utilisation is that of the design force with its partial factors, where one is given; above 100 % the panel is not enough. The last column counts the warnings, which stand in whole with each layout.");
+    document.say("Forces are those at failure of the panel, and the forces on each anchor. The last column counts the warnings, which stand in whole with each layout.");
     let series: Vec<Series<'_>> = report
         .cases
         .iter()
@@ -98,20 +100,19 @@ fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
         ),
         Err(_) => ("no value".into(), nothing()),
     };
-    let used = case.design().and_then(|d| d.at_force).map_or_else(nothing, |at| {
-        let percent = format!("{:.0} %", at.utilisation * 100.0);
-        match at.trouble() {
-            Some(trouble) => strong(format!("{percent}, {}", trouble.to_lowercase())),
-            None => percent.into(),
-        }
-    });
+    let v = &case.verdict;
+    let found = match v.finding() {
+        Finding::NotAsked => nothing(),
+        Finding::Passes => verdict::short(v).into(),
+        _ => strong(verdict::short(v)),
+    };
     let known = match (forecast.warnings.len(), forecast.extrapolated()) {
         (0, _) => nothing(),
         (n, false) => n.to_string().into(),
         (n, true) => strong(format!("{n}, extrapolated")),
     };
     let (f, d) = (forecast.force_over_lab(), forecast.deflection_over_lab());
-    vec![case.entry.name.clone().into(), force, deflection, part(f), part(d), used, known]
+    vec![case.entry.name.clone().into(), force, deflection, part(f), part(d), found, known]
 }
 
 /// The inputs of all layouts.

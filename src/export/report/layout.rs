@@ -167,7 +167,7 @@ fn points(field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
 
 /// The answers to the design questions, with the factors that act.
 fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
-    let question = &case.case.question;
+    let question = &case.case.asked();
     let Some(answer) = &case.design() else {
         if question.force.is_some() || question.deflection.is_some() {
             document.say("Design: no answer, because there is no field value.");
@@ -180,20 +180,18 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
         shortest(question.gamma_resistance)
     ))];
     if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
-        let enough = if at.utilisation > 1.0 { "not enough" } else { "enough" };
         items.push(ours(&format!(
-            "Design force {} with {{gamma_F}} = {}: load {}, utilisation {} % ({enough}), margin {}.",
+            "Design force {} with {{gamma_F}} = {}: load {}, utilisation {} %, margin {}.",
             entered_force(force),
             shortest(question.gamma_load),
             force_text(at.load),
             significant(at.utilisation * 100.0, 3),
             force_text(at.margin)
         )));
-        let allowed = at.allowed_text();
         items.push(match at.deflection {
             Some(reached) => {
                 let reached = length_text(reached, unit);
-                ours(&format!("Deflection under that load: {reached}{allowed}."))
+                ours(&format!("Deflection under that load: {reached}."))
             }
             None => ours("That load is beyond failure: there is no deflection."),
         });

@@ -337,7 +337,7 @@ fn laboratory_words(case: &ExportedLayout, unit: LengthUnit) -> String {
 
 /// Design force, allowable deflection, and with a factor on it the resistance.
 fn design(content: &mut Content, case: &ExportedLayout, unit: LengthUnit) {
-    let question = &case.case.question;
+    let question = &case.case.asked();
     if let Some(force) = question.force {
         let load = force * question.gamma_load;
         let words = if question.gamma_load == 1.0 {

@@ -1,5 +1,6 @@
 //! All layouts in a table that can be sorted, and their curves in one chart.
 
+use super::super::answer;
 use super::super::layouts::first_shown;
 use super::super::text::{self, below, cut, heading, put, put_right, spot, width};
 use super::super::theme::Theme;
@@ -11,10 +12,12 @@ use crate::remark::Weight;
 use crate::show::comparison;
 use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
+use crate::show::names::shortened;
 use crate::show::picture::Ink;
 use crate::show::plot::{self, Plot};
-use crate::study::compare::Column;
+use crate::study::compare::{Column, CompareRow};
 use crate::study::sensitivity::Effect;
+use crate::study::verdict::Finding;
 use crate::units::{LengthUnit, percent, to_kn};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -119,16 +122,16 @@ fn table(
     theme: &Theme,
 ) -> Option<Position> {
     let unit = app.units();
-    let name = if area.width >= 70 { 13 } else { 10 };
     let sort = app.comparison_sort();
-    // As many columns behind the name as fit.
-    let mut shown: Vec<(ColumnHead, u16)> = Vec::new();
-    let mut end = 4 + name;
     let mut heads = ColumnHead::ALL[1..].to_vec();
     if area.width < NARROW {
         // Where a few columns fit, the answers come before the inputs.
         heads.rotate_left(5);
     }
+    let name = name_columns(view, &heads, area.width);
+    // As many columns behind the name as fit.
+    let mut shown: Vec<(ColumnHead, u16)> = Vec::new();
+    let mut end = 4 + name;
     for head in heads.iter().skip(app.comparison_first()) {
         end += columns_of(*head);
         if end > area.width {
@@ -159,6 +162,8 @@ fn table(
     let at = view.order.iter().position(|row| view.layouts.get(*row) == Some(&marked));
     let first = first_shown(at.unwrap_or(0), rows, view.order.len());
     let place = spot(buf, list, at.unwrap_or(0).saturating_sub(first) as u16, 0);
+    let names: Vec<&str> = view.comparison.rows.iter().map(|r| r.name.as_str()).collect();
+    let names = shortened(&names, usize::from(name) - 1);
     for (line, row) in view.order.iter().skip(first).take(rows).enumerate() {
         let line = line as u16;
         let here = view.layouts.get(*row) == Some(&marked);
@@ -169,14 +174,17 @@ fn table(
         }
         let sign = if here { ">" } else { " " };
         let letter = view.letter(*row).unwrap_or(' ');
-        let star = if governs { "*" } else { " " };
+        let star = if governs { '*' } else { ' ' };
+        let compared = view.comparison.rows.get(*row);
+        let finding = compared.map_or(Finding::NotAsked, |r| r.verdict.finding());
         put(buf, list, line, 0, &format!("{sign}{letter}{star}"), style);
-        let text = cell(view, *row, ColumnHead::Of(Column::Name), unit);
-        let doubt =
-            view.comparison.rows.get(*row).and_then(crate::study::compare::CompareRow::weight);
-        let mark = if doubt >= Some(Weight::Caution) { "!" } else { "" };
-        let text = format!("{}{mark}", cut(&text, usize::from(name) - 1));
-        put(buf, list, line, 4, &text, style);
+        let marked = if here { style } else { answer::style(finding, theme) };
+        put(buf, list, line, 3, &finding.mark().to_string(), marked);
+        put(buf, list, line, 4, names.get(*row).map_or("", String::as_str), style);
+        let doubt = compared.and_then(CompareRow::weight);
+        if doubt >= Some(Weight::Caution) {
+            put(buf, list, line, 3 + name, "!", if here { style } else { theme.caution });
+        }
         for (head, end) in &shown {
             let room = usize::from(columns_of(*head)) - 1;
             let text = cut(&cell(view, *row, *head, unit), room);
@@ -184,27 +192,47 @@ fn table(
         }
     }
     let foot = Rect { y: list.bottom(), height: 1.min(area.height), ..area };
-    let text = governing(view);
     let hidden = view.order.len().saturating_sub(rows);
     let more = if hidden > 0 { format!(" {hidden} more ") } else { String::new() };
     let room = usize::from(area.width.saturating_sub(width(&more) + 1));
-    put(buf, foot, 0, 1, &cut(&text, room), theme.title);
+    put(buf, foot, 0, 1, &governing(view, room), theme.title);
     put_right(buf, foot, 0, &more, theme.heading);
     place
 }
 
-/// Which layout governs, and by what.
-fn governing(view: &CompareView) -> String {
+/// Columns for the names: as wide as the longest, where the columns up to the use still fit, and where
+/// all fit the rest too.
+fn name_columns(view: &CompareView, heads: &[ColumnHead], all: u16) -> u16 {
+    let longest = view.comparison.rows.iter().map(|r| width(&r.name)).max().unwrap_or(0);
+    let upto = |last: usize| heads.iter().take(last).map(|head| columns_of(*head)).sum::<u16>();
+    let used = heads.iter().position(|head| *head == ColumnHead::Of(Column::Use));
+    let room = all.saturating_sub(4 + upto(used.map_or(0, |at| at + 1)));
+    // One column for the sign of a doubt behind the name.
+    (longest + 1).clamp(10, room.max(10))
+}
+
+/// Which layout governs, by what, and how many fail, in so many columns; of all that the name is cut.
+fn governing(view: &CompareView, columns: usize) -> String {
+    let c = &view.comparison;
     let left = match view.unknown {
         0 => String::new(),
         n => format!("; {n} left out, mesh not known"),
     };
     let stale = view.checked.iter().flatten().any(|c| c.stale);
     let stale = if stale { "; s: stale check" } else { "" };
-    let over = view.comparison.rows.iter().filter(|row| row.over_allowed()).count();
-    let over = if over > 0 { format!("; {over} over the allowed") } else { String::new() };
-    let colon = if view.comparison.governing.is_some() { "" } else { ":" };
-    format!("* governing{colon} {}{over}{stale}{left}", comparison::governing(&view.comparison))
+    let fail = c.rows.iter().filter(|row| row.verdict.finding() == Finding::Fails).count();
+    let fail = match fail {
+        0 => String::new(),
+        n => format!("; {n} of {} fail", c.rows.len()),
+    };
+    let (name, why) = comparison::governing(c);
+    let colon = if name.is_some() { " " } else { ": " };
+    let rest = format!("{why}{fail}{stale}{left}");
+    let word = if columns < usize::from(NARROW) { "" } else { "governing" };
+    let head = format!("* {word}{colon}").replace("  ", " ");
+    let room = columns.saturating_sub(head.len() + usize::from(width(&rest)) + 2);
+    let name = name.map_or(String::new(), |name| format!("{}: ", cut(name, room.max(8))));
+    cut(&format!("{head}{name}{rest}"), columns)
 }
 
 /// The rows whose curves are drawn: the marked one and the first of the others.

@@ -9,12 +9,13 @@ use crate::app::App;
 use crate::app::look::Glyphs;
 use crate::app::studies::design::{DesignKind, DesignLine, DesignView};
 use crate::case::{CasePoint, CaseValue, Input, input_value};
-use crate::show::say;
+use crate::show::{say, verdict};
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, percent, shortest, significant, to_kn,
 };
+use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
@@ -112,7 +113,7 @@ fn asked(view: &DesignView) -> String {
 fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)> {
     let unit = app.units();
     let m = |v: f64| length_text(v, unit);
-    let q = &view.case.question;
+    let q = view.case.asked();
     let (on_load, on_resistance) = (shortest(q.gamma_load), shortest(q.gamma_resistance));
     let force = match q.force {
         Some(force) => format!(
@@ -144,17 +145,10 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
     );
     lines.push((resistance, theme.forecast));
     let mut words = Vec::new();
-    let mut bad = false;
     if let Some(at) = &a.at_force {
-        bad = at.trouble().is_some();
-        let trouble = at.trouble().map_or(String::new(), |trouble| format!("{trouble}: "));
-        words.push(format!(
-            "{trouble}use {} %, margin {}",
-            percent(at.utilisation),
-            force_text(at.margin)
-        ));
-        if let Some(reached) = at.deflection {
-            words.push(format!("{} at load", m(reached)));
+        words.push(format!("margin {}", force_text(at.margin)));
+        if let Some(reached) = at.service_deflection {
+            words.push(format!("{} at Fd", m(reached)));
         }
     }
     if let Some(at) = &a.at_deflection {
@@ -162,8 +156,11 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
         words.push(format!("{} at dm{fails}", force_text(at.force)));
     }
     if !words.is_empty() {
-        let style = if bad { theme.error } else { theme.text };
-        lines.push((format!("answer   {}", words.join(", ")), style));
+        lines.push((format!("answer   {}", words.join(", ")), theme.text));
+    }
+    if let Some(v) = app.result().asked_verdict() {
+        let text = format!("verdict  {}; {} values", verdict::short(v), v.basis.word());
+        lines.push((text, answer::style(v.finding(), theme)));
     }
     if let Some(own) = &view.own {
         lines.push((format!("DEM      {}", say::check(own, unit)), theme.check));
@@ -208,7 +205,11 @@ fn solved(
 fn offer(line: &DesignLine, unit: LengthUnit) -> String {
     match &line.kind {
         DesignKind::Take { crossing, value, .. } => {
-            let side = if crossing.met_above { "or more" } else { "or less" };
+            let side = match (crossing.advised, crossing.met_above) {
+                (false, _) => "no cure",
+                (true, true) => "or more",
+                (true, false) => "or less",
+            };
             format!("{} {} {side}", input_value(line.input, *value, unit), unit.symbol())
         }
         DesignKind::Always => "any of the range".into(),
@@ -251,7 +252,13 @@ fn gives(
         }
         DesignKind::Never(best) => {
             let nearest = best.as_ref().map_or("no value anywhere".to_string(), |b| {
-                format!("nearest: {}", at(line.input, b.value, &b.outcome, unit))
+                let there = view.case.with(line.input, b.value);
+                let found = verdict::of_outcome(&there, &b.outcome, view.basis);
+                let at = input_value(line.input, b.value, unit);
+                match found {
+                    Some(found) => format!("nearest: at {at} {found}"),
+                    None => format!("nearest: at {at} {}", short(&b.outcome, unit)),
+                }
             });
             (format!("{now}; {nearest}"), theme.caution)
         }
@@ -273,7 +280,9 @@ fn at(input: Input, value: f64, outcome: &CaseValue, unit: LengthUnit) -> String
 fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
     match outcome {
         Ok(p) => match p.answer.at_force {
-            Some(at) => format!("{}, {}", force_text(p.values().force), at.use_text()),
+            Some(at) => {
+                format!("{}, use {} %", force_text(p.values().force), percent(at.utilisation))
+            }
             None => format!(
                 "{}, delta_a {}",
                 force_text(p.values().force),
@@ -286,7 +295,7 @@ fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
 
 fn outcome_text(outcome: &CaseValue, unit: LengthUnit) -> String {
     match outcome {
-        Ok(p) => say::point_at_load(p, unit, "at load"),
+        Ok(p) => say::point_at_load(p, unit, "at Fd"),
         Err(_) => short(outcome, unit),
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         return nothing("the mesh of this layout is not known", area, buf, theme);
     };
     let title = format!("sensitivity of {name}: {}", title_of(view.effect, app));
-    let asked = view.case.question.force.is_some();
+    let asked = view.case.asked().force.is_some();
     heading(buf, area, &title, &value(view.effect, asked), theme);
     let mut rest = below(area, 1);
     let columns = usize::from(rest.width.saturating_sub(2));
@@ -90,7 +90,7 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
     let mut lines = vec![(format!("forecast {}", say::point(point, app.units())), theme.forecast)];
     let text = match &view.checked.base {
         Ok(result) if result.broke() => {
-            let used = utilisation(&view.case.question, result.force.mean);
+            let used = utilisation(&view.case.asked(), result.force.mean);
             let used = say::used(used);
             let (force, delta) = (result.force.mean, result.deflection.mean);
             format!("DEM      F   {}, delta   {}{used}", force_text(force), m(delta))

@@ -36,7 +36,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Op
     let unit = app.units();
     let (symbol, symbol_unit) = (effect::symbol(view.shown), effect::unit(view.shown, unit));
     let title = format!("sweep of {name}: {symbol}, {symbol_unit}");
-    heading(buf, area, &title, &value(view.shown, view.case.question.force.is_some()), theme);
+    heading(buf, area, &title, &value(view.shown, view.case.asked().force.is_some()), theme);
     let mut rest = below(area, 1);
     let mut place = None;
     for axis in 0..view.axes.len() {

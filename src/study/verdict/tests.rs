@@ -1,3 +1,4 @@
+use super::judge::{ANCHOR, Panel, characteristic_part, deflection};
 use super::*;
 use crate::case::Input;
 use crate::case::{Question, example};
@@ -22,7 +23,7 @@ fn judged(case: &Case, basis: Basis) -> Verdict {
 }
 
 fn with(case: &Case, simulated: Simulated, basis: Basis) -> Verdict {
-    verdict(case, case.forecast().ok().as_ref(), simulated, basis)
+    verdict(case, &case.derive(), simulated, basis)
 }
 
 /// A check that broke at this force (kN), with this band, at 0.5 m on a straight curve.
