@@ -19,6 +19,8 @@ pub(crate) enum EditTarget {
     Command,
     /// A project to open.
     File,
+    /// A text or a name to look for.
+    Find,
     /// Something on a page of a study.
     Study(Typed),
 }
@@ -32,6 +34,7 @@ impl EditTarget {
             EditTarget::Note => "note",
             EditTarget::Command => ":",
             EditTarget::File => "open",
+            EditTarget::Find => "find",
             EditTarget::Study(typed) => typed.prompt(),
         }
     }

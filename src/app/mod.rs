@@ -20,6 +20,7 @@ pub(crate) mod derived;
 mod editor;
 pub(crate) mod entry;
 mod file_work;
+mod find;
 mod fuzzy;
 pub mod key;
 pub mod keymap;

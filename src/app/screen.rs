@@ -111,6 +111,10 @@ pub(super) struct Screen {
     mode: Mode,
     /// What the help lies over; it comes back when the help is closed.
     under_help: Mode,
+    /// What is looked through while the text to look for is typed, and afterwards.
+    looked_through: Mode,
+    /// The text that was looked for last.
+    sought: String,
     status: Option<Status>,
     look: Look,
     size: (u16, u16),
@@ -120,7 +124,16 @@ pub(super) struct Screen {
 impl Screen {
     /// The main screen of a look and a size.
     pub(super) fn new(look: Look, size: (u16, u16), status: Option<Status>) -> Screen {
-        Screen { mode: Mode::Main, under_help: Mode::Main, status, look, size, dirty: true }
+        Screen {
+            mode: Mode::Main,
+            under_help: Mode::Main,
+            looked_through: Mode::Main,
+            sought: String::new(),
+            status,
+            look,
+            size,
+            dirty: true,
+        }
     }
 
     /// What lies over the main screen.
@@ -148,6 +161,28 @@ impl Screen {
     /// Begins to type.
     pub(super) fn type_into(&mut self, target: EditTarget, text: impl Into<String>) {
         self.mode = Mode::Entry(LineEntry::new(target, text));
+    }
+
+    /// Begins to type what to look for in what is shown.
+    pub(super) fn type_sought(&mut self) {
+        let entry = Mode::Entry(LineEntry::new(EditTarget::Find, ""));
+        self.looked_through = std::mem::replace(&mut self.mode, entry);
+    }
+
+    /// The text to look for: a new one, or where that is empty the last one.
+    pub(super) fn sought(&mut self, text: &str) -> String {
+        if !text.is_empty() {
+            self.sought = text.to_string();
+        }
+        self.sought.clone()
+    }
+
+    /// First line that is shown of a page of text.
+    pub(super) fn first_line(&self) -> usize {
+        match self.mode {
+            Mode::Help { scroll } | Mode::Details { scroll } => scroll,
+            _ => 0,
+        }
     }
 
     /// Shows what lies under the line that is typed; the line.
@@ -194,6 +229,9 @@ impl Screen {
 
     /// What is under the text that is typed, or under the list that lies over everything now.
     fn behind(&self) -> Mode {
+        if matches!(&self.mode, Mode::Entry(entry) if entry.target == EditTarget::Find) {
+            return self.looked_through.clone();
+        }
         let page = match self.mode {
             Mode::Entry(_) => self.page(),
             _ => None,

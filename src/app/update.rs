@@ -6,7 +6,7 @@ use super::keymap::{self, Action};
 use super::message::{Command, Message};
 use super::settings::SettingItem;
 use super::{App, Mode};
-use crate::case::StepSize;
+use crate::case::{Input, StepSize};
 use crate::export::ExportKind;
 use crate::units::Quantity;
 use std::path::Path;
@@ -151,6 +151,16 @@ impl App {
         match action {
             Action::FieldUp => self.editor.select_next_field(false),
             Action::FieldDown => self.editor.select_next_field(true),
+            Action::Select(field) => {
+                self.editor.select_field(field);
+                if field == Input::Plate {
+                    self.inform("d, the side of the plates; A duplicates the layout");
+                }
+            }
+            Action::First => self.scroll(isize::MIN),
+            Action::Last => self.scroll(isize::MAX),
+            Action::Find => self.screen.type_sought(),
+            Action::FindNext => self.find(""),
             Action::StepUp => self.step_field(StepSize::Fine, true),
             Action::StepDown => self.step_field(StepSize::Fine, false),
             Action::CoarseUp => self.step_field(StepSize::Coarse, true),
@@ -258,6 +268,12 @@ impl App {
                 self.screen.scroll(lines, last);
             }
             Mode::Settings { .. } => self.screen.scroll(lines, SettingItem::ALL.len() - 1),
+            Mode::Main => {
+                let ends = [Input::LAYOUT.first(), Input::LAYOUT.last()];
+                if let Some(field) = ends[usize::from(lines > 0)] {
+                    self.editor.select_field(*field);
+                }
+            }
             Mode::Export { .. } => self.screen.turn(lines, ExportKind::ALL.len()),
             Mode::MeshPicker { .. } => {
                 let meshes = self.meshes().len();
@@ -318,6 +334,10 @@ impl App {
             }
             EditTarget::Command => self.command(&text),
             EditTarget::File => Ok(self.ask_to_open(Path::new(&text))),
+            EditTarget::Find => {
+                self.find(&text);
+                Ok(Vec::new())
+            }
             EditTarget::Study(typed) => self.take_typed(typed, &text).map(|()| Vec::new()),
         };
         result.unwrap_or_else(|refusal| {

@@ -40,13 +40,18 @@ fn a_check_is_kept_goes_stale_and_comes_back() {
     assert!(text(&app).contains("stale"), "{}", text(&app));
     press(&mut app, "u");
     assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
-    // Undoing past the check takes the inputs back and not the result.
+    // A check is undone like an edit: the one before it comes back, and then its inputs.
     press(&mut app, "<Right>");
     check(&mut app, "c");
     assert_ne!(app.shown_check().unwrap().result.force.mean, force);
     press(&mut app, "u");
-    assert!(app.shown_check().unwrap().stale(), "the newer result belongs to the other value");
-    press(&mut app, "U");
+    assert!(text(&app).contains("undone: check of one"), "{}", text(&app));
+    assert!(app.shown_check().unwrap().stale(), "the first result belongs to the other value");
+    assert_eq!(app.shown_check().unwrap().result.force.mean, force);
+    press(&mut app, "u");
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+    press(&mut app, "UU");
+    assert_ne!(app.shown_check().unwrap().result.force.mean, force);
     assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
     assert!(!text(&app).contains("stale"));
 }
@@ -61,6 +66,17 @@ fn all_layouts_are_checked_in_one_go() {
     assert_eq!(standing(2), None);
     let said = app.status().unwrap().text.clone();
     assert_eq!(said, "2 of 3 layouts checked; not possible: on a plate");
+}
+
+#[test]
+fn checks_of_all_layouts_are_one_undo() {
+    let mut app = app();
+    check(&mut app, "C");
+    assert_eq!(app.history().undo_depth(), 1);
+    press(&mut app, "u");
+    assert!((0..2).all(|i| app.kept_check(i).is_none()) && !app.edited());
+    press(&mut app, "U");
+    assert!((0..2).all(|i| app.kept_check(i).is_some()));
 }
 
 #[test]

@@ -114,7 +114,7 @@ fn layouts_are_added_copied_renamed_moved_and_deleted() {
     assert_eq!(app.selected(), 1);
     press(&mut app, "r<C-u>portal<Enter>");
     assert!(text(&app).contains("another layout is already called"));
-    press(&mut app, "<C-u>new slope<Enter>d");
+    press(&mut app, "<C-u>new slope<Enter>A");
     assert_eq!(names(&app)[1..3], ["new slope", "new slope (2)"]);
     press(&mut app, "JJ");
     assert_eq!(names(&app)[4], "new slope (2)");
@@ -124,6 +124,63 @@ fn layouts_are_added_copied_renamed_moved_and_deleted() {
     press(&mut app, "uuuuuu");
     assert_eq!(names(&app), ["bench 2", "shelf", "bench 3", "portal", "gully"]);
     assert!(!app.edited());
+}
+
+#[test]
+fn keys_that_are_symbols_go_to_their_input_and_run_together_in_undo() {
+    let mut app = app();
+    for (key, word) in [("d", "d"), ("L", "L"), ("D", "D"), ("<End>", "gR"), ("<Home>", "d")] {
+        press(&mut app, key);
+        assert_eq!(app.field().word(), word, "{key}");
+    }
+    press(&mut app, "j");
+    assert_eq!(app.field().word(), "L");
+    press(&mut app, "k");
+    assert_eq!(app.field().word(), "d");
+    assert!(!app.edited());
+    // Who meant to duplicate is told how.
+    press(&mut app, "d");
+    assert!(text(&app).contains("A duplicates the layout"), "{}", text(&app));
+    // A key held down is one undo, the way back another.
+    let before = app.layout().layout.plate;
+    press(&mut app, &"<Right>".repeat(8));
+    press(&mut app, "<Left><Left>");
+    assert_eq!(app.history().undo_depth(), 2);
+    press(&mut app, "u");
+    assert!(
+        (app.layout().layout.plate - before - 0.08).abs() < 1e-9,
+        "{}",
+        app.layout().layout.plate
+    );
+    press(&mut app, "u");
+    assert_eq!(app.layout().layout.plate, before);
+    press(&mut app, "U<Right>");
+    // After an undo a new run begins.
+    assert_eq!(app.history().undo_depth(), 2);
+}
+
+#[test]
+fn a_layout_and_a_text_are_found_by_a_part() {
+    let mut app = app();
+    press(&mut app, "/GUL<Enter>");
+    assert_eq!(app.layout().name, "gully");
+    press(&mut app, "/bench<Enter>");
+    assert_eq!(app.layout().name, "bench 2");
+    press(&mut app, "/<Enter>");
+    assert_eq!(app.layout().name, "bench 3");
+    press(&mut app, "/nowhere<Enter>");
+    assert!(text(&app).contains("\"nowhere\" is not here") && app.layout().name == "bench 3");
+    press(&mut app, "v/shelf<Enter><Enter>");
+    assert_eq!(app.layout().name, "shelf");
+    // In the help: its last words, the glossary among them, and back to the beginning.
+    press(&mut app, "?/gamma_R<Enter>");
+    assert!(text(&app).contains("partial factor on the resistance"), "{}", text(&app));
+    press(&mut app, "g");
+    assert!(text(&app).contains("next input"), "{}", text(&app));
+    press(&mut app, "G");
+    assert!(text(&app).contains("The method"), "{}", text(&app));
+    press(&mut app, "/nothing of that<Enter>q");
+    assert!(!app.edited() && text(&app).contains("spacing"));
 }
 
 #[test]

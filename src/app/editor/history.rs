@@ -20,6 +20,40 @@ pub(crate) struct HistoryStep {
     pub field: Input,
     /// What the edit did, for the status line: `L of gully`.
     pub label: String,
+    /// What further edits belong to the same step.
+    pub run: Run,
+}
+
+/// Edits that are undone together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Run {
+    /// The edit is alone.
+    Alone,
+    /// Steps of an input of a layout, by its number, one way: a key held down.
+    Steps(u64, Input, bool),
+    /// Checks that came in one after the other, of layouts by their numbers.
+    Checks(Vec<u64>),
+}
+
+impl Run {
+    /// Takes another edit in, if it belongs here.
+    fn takes(&mut self, other: &Run) -> bool {
+        match (self, other) {
+            (Run::Checks(these), Run::Checks(more)) => {
+                these.extend(more);
+                true
+            }
+            (Run::Steps(uid, input, up), Run::Steps(layout, of, way)) => {
+                (*uid, *input, *up) == (*layout, *of, *way)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether it is a check of a layout.
+    pub(crate) fn checks(&self, uid: u64) -> bool {
+        matches!(self, Run::Checks(layouts) if layouts.contains(&uid))
+    }
 }
 
 /// The past and the undone future of a project.
@@ -32,7 +66,17 @@ pub struct History {
 impl History {
     /// Remembers the state before an edit; what was undone is forgotten.
     pub(crate) fn record(&mut self, before: HistoryStep) {
+        let undone = !self.future.is_empty();
         self.future.clear();
+        if let Some(last) = self.past.back_mut()
+            && !undone
+            && last.run.takes(&before.run)
+        {
+            if let Run::Checks(layouts) = &last.run {
+                last.label = format!("checks of {} layouts", layouts.len());
+            }
+            return;
+        }
         if self.past.len() == MOST_STEPS {
             self.past.pop_front();
         }
@@ -43,14 +87,14 @@ impl History {
     /// the edit travels with it.
     pub(crate) fn undo(&mut self, now: impl FnOnce(String) -> HistoryStep) -> Option<HistoryStep> {
         let step = self.past.pop_back()?;
-        self.future.push(now(step.label.clone()));
+        self.future.push(HistoryStep { run: step.run.clone(), ..now(step.label.clone()) });
         Some(step)
     }
 
     /// Takes one undone step forward again.
     pub(crate) fn redo(&mut self, now: impl FnOnce(String) -> HistoryStep) -> Option<HistoryStep> {
         let step = self.future.pop()?;
-        self.past.push_back(now(step.label.clone()));
+        self.past.push_back(HistoryStep { run: step.run.clone(), ..now(step.label.clone()) });
         Some(step)
     }
 

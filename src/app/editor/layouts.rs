@@ -1,5 +1,6 @@
 //! Edits of a layout and of the list of layouts; each is one step of undo.
 
+use super::history::Run;
 use super::{Editor, NONE};
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
@@ -33,15 +34,21 @@ impl Editor {
             None => self.first_value(field),
         };
         field.check(value, &self.layout().layout, self.units())?;
-        self.set_field(Some(value));
+        self.put_field(Run::Steps(self.layout().uid, field, up), Some(value));
         Ok(())
     }
 
     /// Sets the selected input to a checked value, or clears it.
     pub(in crate::app) fn set_field(&mut self, value: Option<f64>) {
+        self.put_field(Run::Alone, value);
+    }
+
+    fn put_field(&mut self, run: Run, value: Option<f64>) {
         let field = self.field;
         let label = format!("{} of {}", field.word(), self.layout().name);
-        self.edit_layout(label, |layout| {
+        let at = self.selected;
+        self.edit_in(run, label, |project| {
+            let Some(layout) = project.layouts.get_mut(at) else { return };
             layout.set(field, value);
             if let (Some(other), Some(_)) = (field.instead_of(), value) {
                 layout.set(other, None);

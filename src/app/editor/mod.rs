@@ -17,7 +17,7 @@ use crate::problem::Problem;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::CheckResult;
 use crate::units::LengthUnit;
-use history::HistoryStep;
+use history::{HistoryStep, Run};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -184,17 +184,28 @@ impl Editor {
             selected: self.selected,
             field: self.field,
             label,
+            run: Run::Alone,
         }
     }
 
     /// Makes an edit that can be undone. An edit that changes nothing leaves no trace; whether it
     /// changed something.
     fn edit(&mut self, label: impl Into<String>, change: impl FnOnce(&mut Project)) -> bool {
+        self.edit_in(Run::Alone, label, change)
+    }
+
+    /// The same as a part of a run of edits that are undone together.
+    fn edit_in(
+        &mut self,
+        run: Run,
+        label: impl Into<String>,
+        change: impl FnOnce(&mut Project),
+    ) -> bool {
         let mut project = (*self.project).clone();
         change(&mut project);
         let changed = project != *self.project;
         if changed {
-            let before = self.step(label.into());
+            let before = HistoryStep { run, ..self.step(label.into()) };
             self.history.record(before);
             self.project = Arc::new(project);
             self.derive();
@@ -250,14 +261,19 @@ impl Editor {
     }
 
     fn go_to(&mut self, step: HistoryStep) {
-        self.project = self.with_checks(step.project);
+        self.project = self.with_checks(step.project, &step.run);
         self.selected = step.selected;
         self.field = step.field;
         self.derive();
     }
 
-    /// Keeps the result of a check beside its layout. That is no step of undo.
+    /// Keeps the result of a check beside its layout, as a step of undo.
     pub(super) fn keep_check(&mut self, index: usize, result: CheckResult) {
+        if let Some(layout) = self.project.layouts.get(index) {
+            let (run, label) = (Run::Checks(vec![layout.uid]), format!("check of {}", layout.name));
+            let before = HistoryStep { run, ..self.step(label) };
+            self.history.record(before);
+        }
         let mut project = (*self.project).clone();
         if let Some(layout) = project.layouts.get_mut(index) {
             layout.check = Some(Arc::new(result));
@@ -266,16 +282,19 @@ impl Editor {
         }
     }
 
-    /// Another state of the project with the results of checks that there are now.
-    fn with_checks(&self, other: Arc<Project>) -> Arc<Project> {
+    /// Another state of the project with the results of checks that there are now, but for those that
+    /// are undone or done again themselves.
+    fn with_checks(&self, other: Arc<Project>, undone: &Run) -> Arc<Project> {
         let newer = |uid: u64| self.project.layouts.iter().find(|l| l.uid == uid);
-        let differs = |l: &NamedLayout| newer(l.uid).is_some_and(|now| now.check != l.check);
+        let differs = |l: &NamedLayout| {
+            !undone.checks(l.uid) && newer(l.uid).is_some_and(|now| now.check != l.check)
+        };
         if !other.layouts.iter().any(differs) {
             return other;
         }
         let mut project = (*other).clone();
         for layout in &mut project.layouts {
-            if let Some(now) = newer(layout.uid) {
+            if let Some(now) = newer(layout.uid).filter(|_| !undone.checks(layout.uid)) {
                 layout.check.clone_from(&now.check);
             }
         }

@@ -1,12 +1,14 @@
 //! What a key can ask for.
 
 use super::context::Context;
+use crate::case::Input;
 
 /// What a key can ask for. What that is stands with its keys, in [`super::table`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Action {
     FieldUp,
     FieldDown,
+    Select(Input),
     StepDown,
     StepUp,
     CoarseDown,
@@ -40,6 +42,10 @@ pub enum Action {
     Down,
     PageUp,
     PageDown,
+    First,
+    Last,
+    Find,
+    FindNext,
     Take,
     Close,
     SaveAndQuit,

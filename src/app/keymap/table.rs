@@ -12,6 +12,7 @@ use super::action::Ask::{
 use super::action::StudyPage::{self, Compare, Design, Sensitivity, Sweep};
 use super::action::{Action as A, Ask};
 use super::{Binding, Context};
+use crate::case::Input;
 
 const UP: Key = Key::plain(Code::Up);
 const DOWN: Key = Key::plain(Code::Down);
@@ -19,6 +20,8 @@ const LEFT: Key = Key::plain(Code::Left);
 const RIGHT: Key = Key::plain(Code::Right);
 const PAGE_UP: Key = Key::plain(Code::PageUp);
 const PAGE_DOWN: Key = Key::plain(Code::PageDown);
+const HOME: Key = Key::plain(Code::Home);
+const END: Key = Key::plain(Code::End);
 const ENTER: Key = Key::plain(Code::Enter);
 const ESC: Key = Key::plain(Code::Esc);
 const TAB: Key = Key::plain(Code::Tab);
@@ -81,8 +84,14 @@ const MAIN: &[Binding] = &[
     k(A::CoarseUp,       &[c('>'), shift(Code::Right)],   "",            "increase the input by its large step"),
     k(A::CoarseDown,     &[c('<'), shift(Code::Left)],    "",            "decrease the input by its large step"),
     k(A::Type,           &[ENTER],                        "type",        "type a value, with or without a unit (250mm, 0.25); a digit starts it too"),
-    k(A::FieldDown,      &[DOWN],                         "",            "next input"),
-    k(A::FieldUp,        &[UP],                           "",            "previous input"),
+    k(A::FieldDown,      &[DOWN, c('j')],                 "",            "next input"),
+    k(A::FieldUp,        &[UP, c('k')],                   "",            "previous input"),
+    k(A::First,          &[HOME],                         "",            "first input"),
+    k(A::Last,           &[END],                          "",            "last input"),
+    k(A::Select(Input::Plate),   &[c('d')],               "",            "to d, the side of the plates"),
+    k(A::Select(Input::Spacing), &[c('L')],               "",            "to L, the spacing of the anchors"),
+    k(A::Select(Input::Punch),   &[c('D')],               "",            "to D, the diameter of the block"),
+    k(A::Find,           &[c('/')],                       "",            "find a layout by a part of its name; / and Enter goes on to the next"),
     k(A::Clear,          &[DELETE, BACKSPACE],            "",            "clear the input: no design value, offset 0, factor 1"),
     k(A::NextLayout,     &[TAB, PAGE_DOWN],               "layout",      "next layout"),
     k(A::PreviousLayout, &[BACK_TAB, PAGE_UP],            "",            "previous layout"),
@@ -95,7 +104,7 @@ const MAIN: &[Binding] = &[
     k(A::Details,        &[c('i')],                       "info",        "all warnings and numbers of this layout"),
     k(A::Overlay,        &[c('o')],                       "overlay",     "draw this layout's curve over the others, or stop (up to four)"),
     k(A::Add,            &[c('a')],                       "add",         "add a layout at the reference point"),
-    k(A::Duplicate,      &[c('d')],                       "duplicate",   "duplicate this layout"),
+    k(A::Duplicate,      &[c('A')],                       "duplicate",   "duplicate this layout"),
     k(A::PickMesh,       &[c('m')],                       "mesh",        "pick the mesh of this layout"),
     k(A::Command,        &[c(':')],                       "command",     "command line: :w, :w PATH, :wq, :q!, :units mm and more, see below"),
     k(A::Rename,         &[c('r')],                       "rename",      "rename this layout"),
@@ -145,6 +154,10 @@ const PAGER: &[Binding] = &[
     k(A::Up,       &[UP, c('k')],                     "up",   "up a line"),
     k(A::PageDown, &[c(' '), PAGE_DOWN, RIGHT],       "page", "down a page"),
     k(A::PageUp,   &[PAGE_UP, LEFT],                  "",     "up a page"),
+    k(A::First,    &[HOME, c('g')],                   "",     "to the beginning"),
+    k(A::Last,     &[END, c('G')],                    "",     "to the end"),
+    k(A::Find,     &[c('/')],                         "find", "find a text"),
+    k(A::FindNext, &[c('n')],                         "",     "find it once more"),
     k(A::Close,    &[c('q'), ESC, ctrl('g'), ENTER, c('i'), ctrl('c')], "back", "back"),
     k(A::CopyPage, &[c('y'), c('Y')],                 "copy", "copy the page"),
 ];
@@ -154,6 +167,8 @@ const PAGER: &[Binding] = &[
 const MESH_PICKER: &[Binding] = &[
     k(A::Down,  &[DOWN, c('j'), TAB],              "next",     "next mesh"),
     k(A::Up,    &[UP, c('k'), BACK_TAB],           "previous", "previous mesh"),
+    k(A::First, &[HOME, PAGE_UP],                  "",         "first mesh"),
+    k(A::Last,  &[END, PAGE_DOWN],                 "",         "last mesh"),
     k(A::Take,  &[ENTER],                          "use",      "use this mesh"),
     k(A::Close, &[ESC, ctrl('g'), c('q'), c('m'), ctrl('c')], "back",     "back, keep the mesh"),
 ];
@@ -194,6 +209,8 @@ const CONFIRM_RECOVERY: &[Binding] = &[
 const SETTINGS: &[Binding] = &[
     k(A::Down,         &[DOWN, c('j'), TAB],              "next",        "next setting"),
     k(A::Up,           &[UP, c('k'), BACK_TAB],           "",            "previous setting"),
+    k(A::First,        &[HOME, PAGE_UP],                  "",            "first setting"),
+    k(A::Last,         &[END, PAGE_DOWN],                 "",            "last setting"),
     k(A::NextWord,     &[RIGHT, c(' '), c('l'), c('+')],  "change",      "next value; it holds at once and is kept"),
     k(A::PreviousWord, &[LEFT, c('h'), c('-')],           "change back", "previous value"),
     k(A::Close,        &[c('q'), ESC, ENTER, ctrl('g'), ctrl('c')], "back",        "back"),
@@ -207,6 +224,8 @@ const OPEN: &[Binding] = &[
     k(A::Up,       &[UP, BACK_TAB, ctrl('p')],   "",     "previous"),
     k(A::PageDown, &[PAGE_DOWN],                 "",     "down a page"),
     k(A::PageUp,   &[PAGE_UP],                   "",     "up a page"),
+    k(A::First,    &[HOME],                      "",     "first"),
+    k(A::Last,     &[END],                       "",     "last"),
     k(A::Close,    &[ESC, ctrl('g'), ctrl('c')], "back", "back; all other keys are letters to look for"),
 ];
 
@@ -231,6 +250,8 @@ const TOUR: &[Binding] = &[
 const EXPORT: &[Binding] = &[
     k(A::Down,  &[DOWN, c('j'), TAB],              "next",  "next"),
     k(A::Up,    &[UP, c('k'), BACK_TAB],           "",      "previous"),
+    k(A::First, &[HOME, PAGE_UP],                  "",      "first"),
+    k(A::Last,  &[END, PAGE_DOWN],                 "",      "last"),
     k(A::Take,  &[ENTER],                          "write", "write it beside the project, under a name that is free"),
     k(A::Close, &[c('q'), ESC, c('e'), ctrl('g'), ctrl('c')], "back",  "back"),
 ];
@@ -246,6 +267,8 @@ const SENSITIVITY: &[Binding] = &[
     k(A::PreviousLayout,        &[BACK_TAB],              "",           "previous layout"),
     k(A::Down,                  &[DOWN, c('j')],          "",           "scroll down"),
     k(A::Up,                    &[UP, c('k')],            "",           "scroll up"),
+    k(A::First,                 &[HOME, PAGE_UP],         "",           "to the first input"),
+    k(A::Last,                  &[END, PAGE_DOWN],        "",           "to the last input"),
 ];
 
 /// The page of the sweep.
@@ -274,6 +297,11 @@ const SWEEP: &[Binding] = &[
 const COMPARE: &[Binding] = &[
     k(A::Down,                  &[DOWN, c('j'), TAB],    "",          "next layout"),
     k(A::Up,                    &[UP, c('k'), BACK_TAB], "",          "previous layout"),
+    k(A::PageDown,              &[PAGE_DOWN],            "",          "down a page"),
+    k(A::PageUp,                &[PAGE_UP],              "",          "up a page"),
+    k(A::First,                 &[HOME],                 "",          "first layout"),
+    k(A::Last,                  &[END],                  "",          "last layout"),
+    k(A::Find,                  &[c('/')],               "",          "find a layout by a part of its name"),
     k(A::Take,                  &[ENTER],                "select",    "select the marked layout and go back to it"),
     k(A::Study(SortNext),       &[c('>')],               "sort",      "sort by the next column"),
     k(A::Study(SortPrevious),   &[c('<')],               "",          "sort by the previous column; before the first is the project's order"),
@@ -288,6 +316,8 @@ const COMPARE: &[Binding] = &[
 const DESIGN: &[Binding] = &[
     k(A::Down,                       &[DOWN, c('j')],          "",           "next value"),
     k(A::Up,                         &[UP, c('k')],            "",           "previous value"),
+    k(A::First,                      &[HOME, PAGE_UP],         "",           "first value"),
+    k(A::Last,                       &[END, PAGE_DOWN],        "",           "last value"),
     k(A::Take,                       &[ENTER],                 "take",       "take the marked value into the layout; undo takes it back"),
     k(A::Study(DesignForce),         &[c('F')],                "force",      "type the design force; a digit starts it too"),
     k(A::Study(AllowableDeflection), &[c('D')],                "deflection", "type the allowable deflection"),

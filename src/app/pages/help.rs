@@ -25,6 +25,48 @@ impl Topic {
     }
 }
 
+/// What words and symbols mean that stand on the screens, in the order in which they are met.
+const WORDS: [(&str, &str); 20] = [
+    ("d", "side of the square anchor plates"),
+    ("L", "spacing of the anchors, which stand on a square grid"),
+    (
+        "D",
+        "diameter of the block that pushes; `punch` is its name in the laboratory test and in the paper",
+    ),
+    (
+        "ex, ey",
+        "offset of the block from the middle between four anchors, across and up the slope; the plan is drawn so",
+    ),
+    (
+        "F_l*, delta_l*",
+        "force and deflection of the mesh's laboratory punch test, brought to the standard panel of 3 m",
+    ),
+    ("alpha_F, alpha_delta", "ratios of field to laboratory, for the reference panel"),
+    ("F_a, delta_a", "force and deflection at which the anchored panel fails: the forecast"),
+    ("gamma_F, gL", "partial factor on the load; the deflection is asked at the load without it"),
+    ("gamma_R, gR", "partial factor on the resistance"),
+    ("use", "demand over capacity; above 100 % it is not enough"),
+    ("at Fd, at F", "deflection at the design force with its factor, and without it"),
+    (
+        "basis",
+        "which capacity verdicts go by: the mean, or the characteristic value that 95 % exceed",
+    ),
+    (
+        "check, DEM",
+        "a simulation of the net, wire by wire (discrete element method), for comparison with the forecast",
+    ),
+    ("alignment", "where the net's openings lie to anchors and block; checks draw several"),
+    ("band", "from the 5 to the 95 % point of the runs of a check"),
+    ("stale", "a check of other inputs than those there are now, or of another version"),
+    ("slack", "how much longer than its chord a wire is before it pulls; drawn wire by wire"),
+    ("first break", "force and deflection when the first wire breaks; the peak may come later"),
+    (
+        "double twist",
+        "where two wires are turned round each other; the net hangs with them down the slope",
+    ),
+    ("extrapolated", "outside the ranges that were published"),
+];
+
 /// Columns of the keys.
 const KEYS: usize = 18;
 
@@ -50,6 +92,10 @@ pub(super) fn help(width: usize, topic: Topic) -> Vec<PageLine> {
     page.heading("Signs");
     page.text("  ! beside a number: something to know about it; i says what", 2);
     page.text("  X on the chart: failure of this layout. A to D: overlaid layouts, by the letter in the list. o: mean first break of the check by simulation, with its curve in dashes and its 5 to 95 % band in dots; x in the plan: where the first wire of each run broke, and lines of equal height of the net at 20, 40, 60 and 80 % of its largest. Dotted: the laboratory test; only its end point was published, its shape is that of Eq. 3", 2);
+    page.heading("Words");
+    for (word, meaning) in WORDS {
+        page.text(&format!("  {word:<KEYS$} {meaning}"), KEYS + 3);
+    }
     page.heading("The method");
     method(&mut page);
     page.lines

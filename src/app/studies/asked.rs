@@ -17,6 +17,10 @@ impl App {
         match action {
             Action::Up => self.studies.step(page, -1),
             Action::Down => self.studies.step(page, 1),
+            Action::PageUp => self.studies.step(page, -(self.screen.page_lines() as isize)),
+            Action::PageDown => self.studies.step(page, self.screen.page_lines() as isize),
+            Action::First => self.studies.step(page, isize::MIN),
+            Action::Last => self.studies.step(page, isize::MAX),
             Action::Check => return Some(self.start_study(page)),
             Action::Stop if self.work.campaign().is_some() => return None,
             Action::Stop => self.screen.show(Mode::Main),

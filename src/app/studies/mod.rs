@@ -93,6 +93,11 @@ impl Studies {
         }
     }
 
+    /// Marks a layout in the comparison, by its place in the project.
+    pub(super) fn mark_compared(&mut self, layout: usize) {
+        self.compare.mark(layout);
+    }
+
     /// Moves the mark of a page, or scrolls it.
     fn step(&mut self, page: StudyPage, lines: isize) {
         match page {
