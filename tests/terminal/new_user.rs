@@ -27,7 +27,7 @@ fn from_the_first_start_to_the_report() {
     pty.wait_for("governing portal");
     pty.send("\x1b[B\x1b[B\r");
     pty.wait_for("> portal");
-    pty.wait_for("NOT ENOUGH");
+    pty.wait_for("FAILS");
     // The spacing that just meets the design force, taken into the layout.
     pty.send("g");
     pty.wait_for("design of portal");
@@ -35,8 +35,8 @@ fn from_the_first_start_to_the_report() {
     // Both together cannot be met by L; the force alone can.
     pty.send("\x1b[D\x1b[D");
     pty.wait_for("what just meets the force");
-    pty.send("\x1b[B\r");
-    pty.wait_until("enough", |s| !s.contents().contains("NOT ENOUGH"));
+    pty.send("\r");
+    pty.wait_until("enough", |s| !s.contents().contains("FAILS"));
     pty.send("q");
     pty.wait_for("> portal");
     // Saved, and the report beside the project.
@@ -66,8 +66,8 @@ fn from_the_first_start_to_the_report() {
     assert!(project.layouts[0].check.is_some(), "the check is kept");
     let portal = project.find_layout("portal").unwrap();
     let sample = project::parse(include_str!("../../projects/road-cut.ron"), "sample").unwrap();
-    let before = sample.project.find_layout("portal").unwrap().layout.spacing;
-    assert!(portal.layout.spacing > before + 0.5, "{}", portal.layout.spacing);
+    let before = sample.project.find_layout("portal").unwrap().layout.plate;
+    assert!(portal.layout.plate > before + 0.02, "{}", portal.layout.plate);
     let report = fs::read_to_string(found("road-cut-report.html")).unwrap();
     assert!(report.contains("check by simulation") && report.contains("portal"));
 }
