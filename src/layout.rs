@@ -4,6 +4,35 @@ use crate::problem::Problem;
 use crate::units::shortest;
 use crate::words::Choice;
 
+/// How the blocks of a field stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Blocks {
+    /// The paper's method with its map, checked with the same block in every cell.
+    #[default]
+    Paper,
+    /// The same block at the same place in every cell.
+    Repeated,
+    /// Blocks of neighbouring cells face each other across the line of anchors between them.
+    Mirrored,
+    /// The lower of the two, where the mirrored ones do not overlap.
+    Worst,
+}
+
+impl Choice for Blocks {
+    const ALL: &'static [Blocks] =
+        &[Blocks::Paper, Blocks::Repeated, Blocks::Mirrored, Blocks::Worst];
+
+    fn word(self) -> &'static str {
+        match self {
+            Blocks::Paper => "paper",
+            Blocks::Repeated => "repeated",
+            Blocks::Mirrored => "mirrored",
+            Blocks::Worst => "worst",
+        }
+    }
+}
+
 /// Anchors on a square grid and one punching element, all in metres.
 ///
 /// x runs across the twists of the net, y along them (down the slope). The symbols of Pol &
@@ -20,11 +49,14 @@ pub struct Layout {
     pub ex: f64,
     /// Offset of the punch from the panel's centre along the twists, e_y, m. Periodic with L.
     pub ey: f64,
+    /// How the blocks of other cells stand; the forecast takes it for what the paper had.
+    pub blocks: Blocks,
 }
 
 /// The layout at which the published reference values hold: d* = 0.32 m, L* = 3 m, D* = 1 m,
 /// centred (Pol & Gabrieli 2021, appendix).
-pub const REFERENCE: Layout = Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0 };
+pub const REFERENCE: Layout =
+    Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0, blocks: Blocks::Paper };
 
 /// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -52,6 +84,9 @@ impl Choice for BranchRule {
 pub(crate) const SMALLEST_LENGTH: f64 = 1.0e-6;
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
 pub(crate) const LARGEST_LENGTH: f64 = 100.0;
+
+/// Part of half the spacing by which an offset may miss it and still be it.
+const ON_THE_LINE: f64 = 1.0e-9;
 
 impl Layout {
     /// Checks that the sizes make sense: finite, positive, plate and punch smaller than the spacing.
@@ -105,6 +140,46 @@ impl Layout {
     /// The offsets brought within -L/2 to L/2, which is the same place in a neighbouring cell.
     pub(crate) fn folded(&self) -> (f64, f64) {
         (fold(self.ex, self.spacing), fold(self.ey, self.spacing))
+    }
+
+    /// Whether mirrored blocks of neighbouring cells would overlap, and in which offset: |e| > (L - D)/2,
+    /// but for half the spacing exactly, where the two are one block on the line.
+    pub fn blocks_overlap(&self) -> Option<&'static str> {
+        let (ex, ey) = self.folded();
+        let room = (self.spacing - self.punch) / 2.0;
+        let overlaps = |e: f64| e != 0.0 && e.abs() > room && !self.on_line(e);
+        [("ex", ex), ("ey", ey)].into_iter().find(|(_, e)| overlaps(*e)).map(|(name, _)| name)
+    }
+
+    /// Whether an offset is half the spacing.
+    pub(crate) fn on_line(&self, e: f64) -> bool {
+        (e.abs() * 2.0 / self.spacing - 1.0).abs() < ON_THE_LINE
+    }
+
+    /// Where the block of the cell so many to the right and above stands from that cell's centre, m.
+    pub fn offset_in(&self, right: i32, above: i32) -> (f64, f64) {
+        let (ex, ey) = self.folded();
+        let mirrored = self.facing();
+        let turn = |e: f64, cells: i32| if mirrored && cells % 2 != 0 { -e } else { e };
+        (turn(ex, right), turn(ey, above))
+    }
+
+    /// Whether its blocks are drawn facing their neighbours: mirrored, or the worst where they can be.
+    fn facing(&self) -> bool {
+        match self.blocks {
+            Blocks::Paper | Blocks::Repeated => false,
+            Blocks::Mirrored => true,
+            Blocks::Worst => self.blocks_overlap().is_none(),
+        }
+    }
+
+    /// Upper bound of what the worst anchor carries of the force on a block, where blocks face each other:
+    /// (1 + 2|ex|/L)(1 + 2|ey|/L), by the lever in each direction. Nothing where every anchor carries the
+    /// whole force of its cell, by statics.
+    pub(crate) fn facing_bound(&self) -> Option<f64> {
+        let (ex, ey) = self.folded();
+        let lever = |e: f64| 1.0 + 2.0 * e.abs() / self.spacing;
+        (self.facing() && (ex, ey) != (0.0, 0.0)).then(|| lever(ex) * lever(ey))
     }
 
     /// Distance from the punch's centre to the nearest anchor plate, m, periodic images included;
@@ -163,7 +238,26 @@ mod tests {
         let edge = Layout { ex: 1.5, ey: 0.84, ..REFERENCE };
         assert!((edge.distance_to_plate() - 0.5).abs() < 1e-12);
         // A centred punch can be on a plate inside the published ranges.
-        let wide = Layout { plate: 0.48, spacing: 1.25, punch: 1.2, ex: 0.0, ey: 0.0 };
+        let wide = Layout { plate: 0.48, spacing: 1.25, punch: 1.2, ex: 0.0, ey: 0.0, ..REFERENCE };
         assert!(wide.punch_on_plate());
+    }
+
+    #[test]
+    fn blocks_that_face_each_other_load_the_anchor_between_them_more() {
+        // Test 5 of the paper, by hand: (1 + 1.1/3.5)(1 + 2.3/3.5).
+        let at = Layout { plate: 0.25, spacing: 3.5, punch: 0.8, ex: 0.55, ey: 1.15, ..REFERENCE };
+        assert_eq!(at.facing_bound(), None);
+        let mirrored = Layout { blocks: Blocks::Mirrored, ..at };
+        let bound = (4.6 / 3.5) * (5.8 / 3.5);
+        assert!((mirrored.facing_bound().unwrap() - bound).abs() < 1e-12);
+        let neighbours = [(0, 0), (1, 0), (0, -1), (1, 1), (2, 0)];
+        let turned = neighbours.map(|(right, above)| mirrored.offset_in(right, above));
+        let due = [(0.55, 1.15), (-0.55, 1.15), (0.55, -1.15), (-0.55, -1.15), (0.55, 1.15)];
+        assert_eq!(turned, due);
+        // They would overlap: the worst is then the repeated one.
+        let close = Layout { ex: 1.5, blocks: Blocks::Worst, ..at };
+        assert_eq!((close.blocks_overlap(), close.facing_bound()), (Some("ex"), None));
+        assert_eq!(close.offset_in(1, 0), (1.5, 1.15));
+        assert_eq!(Layout { ex: 1.75, ..close }.blocks_overlap(), None, "one block on the line");
     }
 }

@@ -32,7 +32,7 @@ const STOPS: &[(&str, &[Line])] = &[
         &[
             Text(
                 "A layout is one panel: plates d, spacing L, block D. Its answer is the force F_a and \
-                 the deflection delta_a at failure: a lower bound, and the load of each anchor.",
+                 the deflection delta_a at failure: with a block in every cell, so with its force on each anchor.",
             ),
             Keys(Key::plain(Code::Tab), "Tab", "layout", "the next layout"),
             Keys(Key::char('i'), "i", "warnings", "all numbers; ! marks a doubtful one"),

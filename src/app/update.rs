@@ -208,6 +208,10 @@ impl App {
                 let said = self.editor.toggle_branch();
                 self.inform(said);
             }
+            Action::Blocks => {
+                let said = self.editor.turn_blocks();
+                self.inform(said);
+            }
             Action::Units => self.editor.set_units(self.units().other()),
             Action::Basis => {
                 let said = self.editor.set_basis(self.project().basis.other());

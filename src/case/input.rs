@@ -548,7 +548,7 @@ mod tests {
     #[test]
     fn the_fields_that_a_layout_complains_of_are_inputs() {
         let nan = f64::NAN;
-        let wrong = Layout { plate: nan, spacing: nan, punch: nan, ex: nan, ey: nan };
+        let wrong = Layout { plate: nan, spacing: nan, punch: nan, ex: nan, ey: nan, ..REFERENCE };
         let fields: Vec<_> =
             wrong.check().unwrap_err().iter().map(|p| Input::named(&p.field)).collect();
         assert_eq!(fields, Input::GEOMETRY.map(Some));

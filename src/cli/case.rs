@@ -5,7 +5,7 @@ use super::choice::one_of;
 use super::input_flags::InputFlags;
 use super::output::Fault;
 use crate::case::{Case, Input};
-use crate::layout::{BranchRule, REFERENCE};
+use crate::layout::{Blocks, BranchRule, REFERENCE};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
@@ -88,6 +88,9 @@ impl Source {
 pub(crate) struct Geometry {
     #[command(flatten)]
     values: InputFlags<false>,
+    /// How the blocks of other cells stand: as the paper had it, or the lower of repeated and mirrored.
+    #[arg(long, value_name = "BLOCKS", value_parser = one_of(Blocks::ALL))]
+    blocks: Option<Blocks>,
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.
     #[arg(long, value_name = "ID")]
     mesh: Option<String>,
@@ -180,6 +183,7 @@ impl Inputs {
         for (input, value) in given() {
             entry.set(input, Some(value));
         }
+        entry.layout.blocks = self.geometry.blocks.unwrap_or(entry.layout.blocks);
         entry.branch = self.branch.unwrap_or(entry.branch);
         if let Some(id) = &self.geometry.mesh {
             entry.mesh.clone_from(id);

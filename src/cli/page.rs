@@ -17,7 +17,7 @@ use crate::words::Choice;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands with every answer: what the method is a forecast of.
-pub(crate) const BASIS: &str = "lower bound: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
+pub(crate) const BASIS: &str = "lowest of the arrangements computed: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
 
 /// Widest line, columns.
 pub(crate) const WIDTH: usize = 80;

@@ -34,9 +34,6 @@ impl Default for Arrangement {
 const MOST_CELLS: usize = 15;
 /// Blocks of a field at most: the fast solver keeps a bit for each.
 pub(super) const MOST_BLOCKS: usize = 8;
-/// Part of the spacing by which an offset may miss half of it and still be half of it.
-const ON_THE_LINE: f64 = 1.0e-9;
-
 /// A block of a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
@@ -108,10 +105,7 @@ impl Field {
     fn fill(&mut self, layout: &Layout) {
         let offset = [layout.ex, layout.ey];
         let side = self.cell;
-        let on_line = |k: usize| {
-            self.mirrored[k] && (offset[k].abs() * 2.0 / side[k] - 1.0).abs() < ON_THE_LINE
-        };
-        let shared = [on_line(0), on_line(1)];
+        let shared = [0, 1].map(|k| self.mirrored[k] && layout.on_line(offset[k]));
         self.blocks.clear();
         for j in 0..self.cells[1] {
             for i in 0..self.cells[0] {
@@ -205,20 +199,8 @@ fn allow(cells: [usize; 2]) -> Result<(), Vec<Problem>> {
     ])
 }
 
-/// Whether mirrored blocks overlap: |e| > (L - D)/2 in a direction with an offset, but for half the
-/// spacing exactly, where the two are one block on the line.
-pub(crate) fn blocks_overlap(layout: &Layout) -> Option<&'static str> {
-    let (ex, ey) = layout.folded();
-    let room = (layout.spacing - layout.punch) / 2.0;
-    let overlaps = |e: f64| {
-        let on_line = (e.abs() * 2.0 / layout.spacing - 1.0).abs() < ON_THE_LINE;
-        e != 0.0 && e.abs() > room && !on_line
-    };
-    [("ex", ex), ("ey", ey)].into_iter().find(|(_, e)| overlaps(*e)).map(|(name, _)| name)
-}
-
 fn overlap(layout: &Layout) -> Result<(), Vec<Problem>> {
-    let Some(field) = blocks_overlap(layout) else { return Ok(()) };
+    let Some(field) = layout.blocks_overlap() else { return Ok(()) };
     let value = if field == "ex" { layout.ex } else { layout.ey };
     Err(vec![
         Problem::new(field, "mirrored blocks of neighbouring cells would overlap")
@@ -268,7 +250,7 @@ mod tests {
         assert_eq!(refused(1.001), "ex");
         assert_eq!(refused(1.499), "ex");
         assert_eq!(field(1.0, 0.0, Arrangement::Mirrored).blocks.len(), 2);
-        assert_eq!(blocks_overlap(&Layout { ey: -1.2, ..REFERENCE }), Some("ey"));
+        assert_eq!(Layout { ey: -1.2, ..REFERENCE }.blocks_overlap(), Some("ey"));
     }
 
     #[test]

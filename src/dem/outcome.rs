@@ -55,6 +55,11 @@ impl AnchorForce {
         let [x, y, z] = self.force;
         (x * x + y * y + z * z).sqrt()
     }
+
+    /// Its part out of the plane and its part in the plane, N.
+    pub(crate) fn parts(&self) -> [f64; 2] {
+        [self.force[2], self.force[0].hypot(self.force[1])]
+    }
 }
 
 /// Figures that tell how far a run can be trusted; parts of 1.

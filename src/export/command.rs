@@ -3,7 +3,7 @@
 use super::ExportedLayout;
 use crate::case::Input;
 use crate::case::input::Missing;
-use crate::layout::BranchRule;
+use crate::layout::{Blocks, BranchRule};
 use crate::mesh::catalogue;
 use crate::units::{Quantity, from_kn, shortest, to_kn};
 use crate::words::Choice;
@@ -32,6 +32,9 @@ pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
     };
     let mut words = vec!["meshcast forecast".to_string()];
     words.extend(given(&Input::GEOMETRY));
+    if case.layout.blocks != Blocks::default() {
+        words.push(format!("--blocks {}", case.layout.blocks.word()));
+    }
     words.push(format!("--mesh {}", quoted(&case.mesh.id)));
     if case.rule != BranchRule::default() {
         words.push(format!("--branch {}", case.rule.word()));

@@ -130,7 +130,8 @@ mod tests {
     #[test]
     fn the_small_punch_branch_worked_by_hand() {
         // d = 0.32, L = 2.5, D = 0.2: 2.47 x 0.2 x 0.93 x (0.16 x 0.833333 + 0.84) = 0.447169...
-        let layout = Layout { plate: 0.32, spacing: 2.5, punch: 0.2, ex: 0.0, ey: 0.0 };
+        let layout =
+            Layout { plate: 0.32, spacing: 2.5, punch: 0.2, ex: 0.0, ey: 0.0, ..REFERENCE };
         let v = centred(&layout, Branch::published(&layout), STAR);
         assert!((v.force - 29_100.0 * 0.494 * 0.93 * (0.4 / 3.0 + 0.84)).abs() < 1e-6);
         // 0.98 x 0.833333 x (0.144 + 0.78) x 1.0 x 0.648 = 0.488981 m

@@ -96,6 +96,7 @@ impl PublishedTest {
             punch: self.punch,
             ex: self.ex,
             ey: self.ey,
+            ..REFERENCE
         }
     }
 }

@@ -21,7 +21,7 @@ pub(crate) const SCENES: [&str; 4] = ["A", "B", "C", "A'"];
 /// A bench scene: A anchored L = 3 m, B laboratory L = 3 m, C anchored and eccentric L = 4 m, all with
 /// the bench law; A' is A with the reference law and one seed.
 pub fn scene(name: &str) -> Option<SceneSpec> {
-    let c = Layout { plate: 0.40, spacing: 4.0, punch: 1.2, ex: 2.0, ey: 0.2 };
+    let c = Layout { plate: 0.40, spacing: 4.0, punch: 1.2, ex: 2.0, ey: 0.2, ..REFERENCE };
     let (layout, test, wire) = match name {
         "A" => (REFERENCE, Test::Anchored, laws::bench()),
         "B" => (REFERENCE, Test::Laboratory, laws::bench()),

@@ -130,7 +130,8 @@ pub(crate) fn unlike_steel(wire: &WireData) -> Option<String> {
 fn scene(target: &FitTarget, wire: WireData) -> SceneSpec {
     // There are no plates in the laboratory; the size only has to fit the panel.
     let plate = 0.1 * target.panel;
-    let layout = Layout { plate, spacing: target.panel, punch: target.punch, ex: 0.0, ey: 0.0 };
+    let layout =
+        Layout { plate, spacing: target.panel, punch: target.punch, ex: 0.0, ey: 0.0, ..REFERENCE };
     SceneSpec {
         layout,
         test: Test::Laboratory,

@@ -255,7 +255,7 @@ fn others(test: Test, listener: Listener) -> Result<Option<Vec<(f64, f64)>>, Vec
         let spacing = part(2, 1.8, 4.0);
         let punch = part(3, 0.5, (0.6 * spacing - 0.4).min(1.2));
         let (ex, ey) = (part(4, -0.1, 0.1) * spacing, part(5, -0.1, 0.1) * spacing);
-        let layout = Layout { plate: part(6, 0.2, 0.45), spacing, punch, ex, ey };
+        let layout = Layout { plate: part(6, 0.2, 0.45), spacing, punch, ex, ey, ..REFERENCE };
         let spec = SceneSpec {
             layout,
             test,

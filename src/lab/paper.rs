@@ -2,8 +2,11 @@
 //!
 //! Which of them the law has seen is marked: the laboratory test was fitted; the starting law of that
 //! fit was chosen by hand with the anchored reference and the master curve in view; the rest is
-//! predicted.
+//! predicted. The paper's blocks repeat from cell to cell. That its eccentric results come out where blocks of
+//! neighbouring cells face each other was found with those results in view; rows of that arrangement stand
+//! beside the repeated ones and say so.
 
+use crate::curve::Point;
 use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::forecast::{laboratory, master};
@@ -27,6 +30,18 @@ pub(crate) const PANELS: [f64; 6] = [2.0, 2.5, 3.0, 3.5, 4.0, 4.5];
 pub(crate) const AIM: [f64; 2] = [0.07, 0.06];
 /// Largest difference of the normalised curve from Eq. 3 aimed at.
 pub(crate) const SHAPE_AIM: f64 = 0.05;
+/// The same for the two rows that blocks facing each other explain, of forces and deflections...
+pub(crate) const AIM_FACING: [f64; 2] = [0.10, 0.08];
+/// ... and of a place's factors over the centred block.
+pub(crate) const AIM_FACTORS: [f64; 2] = [0.10, 0.05];
+/// Places of the paper's map, as parts of L at its reference panel, and the factors of force and deflection
+/// that its Table 1 has there (tests 5 and 4).
+const PLACES: [([f64; 2], [f64; 2]); 2] =
+    [([0.157, 0.329], [0.628, 0.85]), ([0.5, 0.05], [1.139, 0.815])];
+/// Runs of a place and of the centred block that it is compared with, in pairs.
+const PAIRS: usize = 16;
+/// Runs of a scene of facing blocks at most: four cells are four times the work.
+const MOST_FACING: usize = 24;
 /// Standard error aimed at, as a part.
 pub(crate) const ERROR_AIM: f64 = 0.02;
 /// Runs of a scene at most.
@@ -41,16 +56,19 @@ pub(crate) enum PaperStanding {
     Fitted,
     /// The law's start was chosen by hand with it in view.
     InView,
+    /// The explanation was found with the value in view.
+    AfterTheFact,
     /// It was not looked at.
     Predicted,
 }
 
 impl PaperStanding {
-    /// The word for people: `fitted`, `in view` or `predicted`.
+    /// The word for people: `fitted`, `in view`, `after the fact` or `predicted`.
     pub(crate) fn word(self) -> &'static str {
         match self {
             PaperStanding::Fitted => "fitted",
             PaperStanding::InView => "in view",
+            PaperStanding::AfterTheFact => "after the fact",
             PaperStanding::Predicted => "predicted",
         }
     }
@@ -135,29 +153,72 @@ struct Case {
     layout: Layout,
     /// A guess of its deflection.
     deflection: f64,
+    /// How its blocks stand.
+    arrangement: Arrangement,
+    /// Runs at most, and whether as many are made in any case.
+    most: (usize, bool),
+}
+
+impl Case {
+    fn new(words: String, test: Test, layout: Layout, deflection: f64) -> Case {
+        Case {
+            words,
+            test,
+            layout,
+            deflection,
+            arrangement: Arrangement::default(),
+            most: (MOST, false),
+        }
+    }
+}
+
+/// The scenes of blocks that face each other: the eccentric tests, then the centred block of as many cells
+/// and the places of the map.
+fn facing() -> Vec<Case> {
+    let mut list = Vec::new();
+    for t in published().tests.iter().filter(|t| (t.layout().ex, t.layout().ey) != (0.0, 0.0)) {
+        let words = format!("Table 1, test {}, mirrored", t.test);
+        list.push(Case {
+            arrangement: Arrangement::Mirrored,
+            most: (MOST_FACING, false),
+            ..Case::new(words, Test::Anchored, t.layout(), t.dem.deflection.value())
+        });
+    }
+    let most = (PAIRS, true);
+    let centred = "centred, as many cells".to_string();
+    list.push(Case {
+        arrangement: Arrangement::Repeated([2, 2]),
+        most,
+        ..Case::new(centred, Test::Anchored, REFERENCE, ANCHORED[1])
+    });
+    list.extend(PLACES.iter().map(|([x, y], factors)| {
+        let side = REFERENCE.spacing;
+        let layout = Layout { ex: x * side, ey: y * side, ..REFERENCE };
+        let words = format!("map ({x}, {y}), mirrored");
+        let deflection = factors[1] * ANCHORED[1];
+        let case = Case::new(words, Test::Anchored, layout, deflection);
+        Case { arrangement: Arrangement::Mirrored, most, ..case }
+    }));
+    list
 }
 
 fn cases() -> Vec<Case> {
     let mut list: Vec<Case> = PANELS
         .iter()
-        .map(|&panel| Case {
-            words: format!("laboratory, L = {panel}"),
-            test: Test::Laboratory,
-            layout: Layout { spacing: panel, ..REFERENCE },
-            deflection: LABORATORY[1] * laboratory::deflection_ratio(panel),
+        .map(|&panel| {
+            Case::new(
+                format!("laboratory, L = {panel}"),
+                Test::Laboratory,
+                Layout { spacing: panel, ..REFERENCE },
+                LABORATORY[1] * laboratory::deflection_ratio(panel),
+            )
         })
         .collect();
-    list.push(Case {
-        words: "anchored reference".into(),
-        test: Test::Anchored,
-        layout: REFERENCE,
-        deflection: ANCHORED[1],
-    });
-    list.extend(published().tests.iter().map(|t| Case {
-        words: format!("Table 1, test {}", t.test),
-        test: Test::Anchored,
-        layout: t.layout(),
-        deflection: t.dem.deflection.value(),
+    let reference = "anchored reference".to_string();
+    list.push(Case::new(reference, Test::Anchored, REFERENCE, ANCHORED[1]));
+    list.extend(published().tests.iter().map(|t| {
+        let words = format!("Table 1, test {}", t.test);
+        Case::new(words, Test::Anchored, t.layout(), t.dem.deflection.value())
     }));
     list
 }
@@ -171,14 +232,17 @@ pub(crate) fn compare(
     options: &PaperOptions,
     tell: &Tell,
 ) -> Result<Option<Vec<PaperRow>>, Vec<Problem>> {
-    let cases = cases();
+    let mut cases = cases();
+    let repeated = cases.len();
+    cases.extend(facing());
     let mut made = Vec::new();
     for (number, case) in cases.iter().enumerate() {
         let told = |now| tell(&case.words, number, cases.len(), case.deflection, now);
         let Some(ensemble) = scene(case, wire, options, &told)? else { return Ok(None) };
         made.push(ensemble);
     }
-    Ok(Some(rows(&made)))
+    let (made, facing) = made.split_at(repeated);
+    Ok(Some(rows(made, facing_rows(facing))))
 }
 
 /// The ensemble of a case: as many runs as pin its force down, if [`MOST`] can.
@@ -194,10 +258,16 @@ fn scene(
         wire: wire.clone(),
         phase: PLAIN_PHASE,
         seed: 0,
-        arrangement: Arrangement::default(),
+        arrangement: case.arrangement,
     };
     let controls = Controls { fidelity: options.fidelity, ..Controls::default() };
-    let mut plan = Plan { runs: None, seed: options.seed, phase: None, threads: options.threads };
+    let (most, all) = case.most;
+    let mut plan = Plan {
+        runs: all.then_some(most),
+        seed: options.seed,
+        phase: None,
+        threads: options.threads,
+    };
     loop {
         let ensemble = ensemble::run(&spec, &controls, &plan, tell)?;
         if ensemble.partial() {
@@ -209,12 +279,58 @@ fn scene(
         }
         // The error falls with the root of the number; a tenth more, because it is an estimate.
         let needed = 1.1 * part * part * ensemble.runs.len() as f64;
-        plan.runs = Some((needed.ceil() as usize).min(MOST));
+        plan.runs = Some((needed.ceil() as usize).min(most));
     }
 }
 
-/// The rows of the ensembles of [`cases`], in their order.
-fn rows(made: &[Ensemble]) -> Vec<PaperRow> {
+/// The rows of the ensembles of [`facing`], in their order.
+fn facing_rows(made: &[Ensemble]) -> Vec<PaperRow> {
+    let cases = facing();
+    let tests = cases.len() - PLACES.len() - 1;
+    let (eccentric, map) = made.split_at(tests);
+    let papers = published().tests.iter().filter(|t| (t.layout().ex, t.layout().ey) != (0.0, 0.0));
+    let mut list = Vec::new();
+    for ((case, test), ensemble) in cases.iter().zip(papers).zip(eccentric) {
+        let paper = [from_kn(test.dem.force.value()), test.dem.deflection.value()];
+        let mut rows = pair(&case.words, paper, ensemble, PaperStanding::AfterTheFact);
+        // A block on the line is one for two cells, which a repeated block is not: reported alone.
+        let aimed = !case.layout.on_line(case.layout.ex);
+        for (row, aim) in rows.iter_mut().zip(AIM_FACING) {
+            row.aim = aimed.then_some(aim);
+        }
+        list.extend(rows);
+    }
+    let Some((centred, places)) = map.split_first() else { return list };
+    for (k, ensemble) in places.iter().enumerate() {
+        let case = &cases[tests + 1 + k];
+        let parts: [fn(&Point) -> f64; 2] = [|p| p.force, |p| p.deflection];
+        for (part, of) in parts.into_iter().enumerate() {
+            let pairs = ensemble.runs.iter().zip(&centred.runs);
+            let ratios: Vec<f64> = pairs
+                .filter_map(|(a, b)| {
+                    Some(of(&a.outcome.first_break?) / of(&b.outcome.first_break?))
+                })
+                .collect();
+            let spread = Spread::of(&ratios, &ratios);
+            list.push(PaperRow {
+                case: format!("{}, {}", case.words, ["F", "delta"][part]),
+                quantity: PaperQuantity::Ratio,
+                paper: PLACES[k].1[part],
+                ours: spread.mean,
+                band: spread.band,
+                error: spread.error,
+                peak: None,
+                standing: PaperStanding::AfterTheFact,
+                aim: (k == 0).then_some(AIM_FACTORS[part]),
+                runs: ratios.len(),
+            });
+        }
+    }
+    list
+}
+
+/// The rows of the ensembles of [`cases`], in their order; `facing` stand behind those of Table 1.
+fn rows(made: &[Ensemble], facing: Vec<PaperRow>) -> Vec<PaperRow> {
     let (panels, anchored) = made.split_at(PANELS.len());
     let standard = PANELS.iter().position(|p| *p == 3.0).unwrap_or(0);
     let (lab, reference, tests) = (&panels[standard], &anchored[0], &anchored[1..]);
@@ -249,6 +365,7 @@ fn rows(made: &[Ensemble]) -> Vec<PaperRow> {
             PaperStanding::Predicted,
         ));
     }
+    list.extend(facing);
     for (panel, paper) in K75 {
         let at = PANELS.iter().position(|p| *p == panel).unwrap_or(standard);
         let values: Vec<f64> =
@@ -361,7 +478,7 @@ fn shape(case: &str, runs: &[Run], standing: PaperStanding) -> PaperRow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::{Curve, Point};
+    use crate::curve::Curve;
     use crate::dem::Stop;
     use crate::dem::outcome::{Cost, Quality, RunOutcome};
 
@@ -414,5 +531,12 @@ mod tests {
         assert_eq!(all.len(), 12);
         assert_eq!(all.iter().filter(|c| c.layout == REFERENCE).count(), 2);
         assert_eq!(all.last().map(|c| c.layout.ey), Some(1.15));
+        // Tests 4 and 5, the centred block of four cells, two places of the map.
+        let facing = facing();
+        assert_eq!(facing.len(), 5);
+        let mirrored = facing.iter().filter(|c| c.arrangement == Arrangement::Mirrored);
+        assert!(mirrored.clone().all(|c| c.layout.ex != 0.0 && c.layout.ey != 0.0));
+        assert!(mirrored.clone().all(|c| c.layout.blocks_overlap().is_none()));
+        assert_eq!(mirrored.count(), 4);
     }
 }

@@ -7,7 +7,7 @@ use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, Tit
 use super::text::{Node, NodeKind, Shape};
 use super::{read, words};
 use crate::case::Input;
-use crate::layout::{BranchRule, REFERENCE};
+use crate::layout::{Blocks, BranchRule, Layout, REFERENCE};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::verdict::Basis;
@@ -30,6 +30,7 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "D",
     "ex",
     "ey",
+    "blocks",
     "mesh",
     "branch",
     "design_force",
@@ -77,6 +78,7 @@ struct LayoutFile {
     punch: Soft<Length>,
     ex: Soft<Length>,
     ey: Soft<Length>,
+    blocks: Soft<Blocks>,
     mesh: Soft<String>,
     branch: Soft<BranchRule>,
     design_force: Soft<Force>,
@@ -213,12 +215,13 @@ impl LayoutFile {
             None => {}
         }
         let mesh = self.mesh.get()?.unwrap_or_else(|| default_mesh.to_string());
+        let geometry = Layout { blocks: self.blocks.get()?.unwrap_or_default(), ..REFERENCE };
         let mut layout = NamedLayout {
             branch: self.branch.get()?.unwrap_or_default(),
             overlay: self.overlay.get()?.unwrap_or(false),
             note: self.note.get()?.unwrap_or_default(),
             check,
-            ..NamedLayout::new(self.name.needed()?, REFERENCE, mesh)
+            ..NamedLayout::new(self.name.needed()?, geometry, mesh)
         };
         for (input, value) in [
             (Input::Plate, Some(self.d.needed()?.0)),

@@ -11,7 +11,9 @@ use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
 use crate::study::remark::CheckFlag;
-use crate::study::result::{CheckResult, FirstBreak, Later, Revisions, Wanted, mean, rounded};
+use crate::study::result::{
+    CheckResult, FieldFigures, FirstBreak, Later, Revisions, Wanted, mean, rounded,
+};
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
 
@@ -59,9 +61,13 @@ pub(super) struct Kept {
     /// shaking, error estimate.
     quality: [f64; 6],
     warnings: Vec<String>,
-    /// What later versions note, see [`Later`]; left out where there is none.
+    /// How the blocks stood; left out where the same block stands in every cell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     arrangement: Option<String>,
+    /// The worst anchor of each run with a break, kN out of the plane and in it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    anchors: Vec<[f64; 2]>,
+    /// What later versions note, see [`Later`]; left out where there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     strata: Option<Vec<Vec<f64>>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -152,7 +158,8 @@ impl Kept {
             ]
             .map(rounded),
             warnings: v.flags.iter().map(|flag| flag.code().to_string()).collect(),
-            arrangement: v.later.arrangement.clone(),
+            arrangement: v.field.arrangement.clone(),
+            anchors: v.field.anchors.iter().map(|parts| parts.map(kn)).collect(),
             strata: v.later.strata.clone(),
             fractiles: v.later.fractiles.clone(),
         }
@@ -164,7 +171,7 @@ impl Kept {
         let numbers = lists.iter().flat_map(|list| list.iter());
         let later = self.strata.iter().chain(&self.fractiles).flatten().flatten();
         let figures = self.force.iter().chain(&self.delta).chain(&self.peak).chain(&self.quality);
-        let breaks = self.breaks.iter().flatten();
+        let breaks = self.breaks.iter().flatten().chain(self.anchors.iter().flatten());
         let all =
             numbers.chain(later).chain(figures).chain(breaks).chain(self.end.iter().flatten());
         if !all.chain([&self.k75, &self.energy]).all(|v| v.is_finite()) {
@@ -183,7 +190,9 @@ impl Kept {
         if !self.curve_delta.windows(2).all(|w| w[0] < w[1]) {
             return Err("curve_delta must rise");
         }
-        if self.breaks.len() > MOST_BREAKS || self.asked > MOST_BREAKS.max(MOST) {
+        if self.breaks.len().max(self.anchors.len()) > MOST_BREAKS
+            || self.asked > MOST_BREAKS.max(MOST)
+        {
             return Err("it has too many runs");
         }
         Ok(())
@@ -254,7 +263,11 @@ impl Kept {
                 error_estimate: error,
             },
             flags: k.warnings.iter().map(|code| CheckFlag::from_code(code)).collect(),
-            later: Later { arrangement: k.arrangement, strata: k.strata, fractiles: k.fractiles },
+            field: FieldFigures {
+                arrangement: k.arrangement,
+                anchors: k.anchors.into_iter().map(|parts| parts.map(from_kn)).collect(),
+            },
+            later: Later { strata: k.strata, fractiles: k.fractiles },
         }
     }
 }
@@ -322,7 +335,7 @@ mod tests {
                      fractiles: [[0.05, 28.1, 0.61]])";
         let text = format!("{},{later}", text.strip_suffix(')').unwrap());
         let result = read_back(&text).unwrap();
-        assert_eq!(result.later.arrangement.as_deref(), Some("mirrored"));
+        assert_eq!(result.field.arrangement.as_deref(), Some("mirrored"));
         assert_eq!(result.later.strata, Some(vec![vec![0.25, 31.5], vec![0.75, 33.0]]));
         let again = write(&result, "a").unwrap();
         assert_eq!(read_back(&again).unwrap(), result);

@@ -72,7 +72,7 @@ pub(crate) fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
 
 /// Names that a later version of the program has a field for, each with the struct it stands in.
 pub(crate) const RESERVED: &[(&str, &[&str])] =
-    &[("Project", &["factors"]), ("Layout", &["blocks", "Lx", "Ly", "stagger", "twists"])];
+    &[("Project", &["factors"]), ("Layout", &["Lx", "Ly", "stagger", "twists"])];
 
 /// Fields that cannot be left out, by the name of their struct.
 pub(crate) fn needed(holder: &str) -> &'static [&'static str] {
@@ -154,6 +154,7 @@ pub(crate) fn example(field: &str) -> &'static str {
     }
     match field {
         "version" => "2",
+        "blocks" => "worst",
         "layouts" => "[]",
         "id" => "\"my-mesh\"",
         "force" => "73.3",

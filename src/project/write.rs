@@ -6,7 +6,7 @@ use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
 use crate::case::Input;
 use crate::case::input::Missing;
-use crate::layout::BranchRule;
+use crate::layout::{Blocks, BranchRule};
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use crate::words::Choice;
 use std::fmt::Write;
@@ -99,6 +99,7 @@ const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, 
     //   D       diameter of the punching block, published range 0.1 to 2.5 m
     // These may be left out:
     //   ex, ey  offset of the block across and along the twists, -L/2 to L/2, default 0 m
+    //   blocks  how those of other cells stand: paper (default), repeated, mirrored or worst
     //   mesh    identifier, default the first of `meshes`
     //   branch  published (default) or conservative
     //   design_force          kN, above 0; or
@@ -223,6 +224,10 @@ pub(crate) fn layout_field(
     Ok(match field {
         "name" => Some(quoted(&l.name, false)),
         "mesh" => (l.mesh != default_mesh).then(|| quoted(&l.mesh, false)),
+        "blocks" => {
+            let blocks = l.layout.blocks;
+            (blocks != Blocks::default()).then(|| blocks.word().to_string())
+        }
         "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
         "overlay" => l.overlay.then(|| "true".to_string()),
         "note" => (!l.note.is_empty()).then(|| quoted(&l.note, true)),

@@ -9,6 +9,7 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
+use crate::layout::Blocks;
 use crate::remark::Weight;
 use crate::study::checks::change::CheckChange;
 use crate::study::result::{CheckResult, Wanted};
@@ -30,6 +31,8 @@ pub(crate) fn inputs(case: &Case) -> Object {
     let sizes = Input::GEOMETRY
         .iter()
         .fold(Object::new(), |object, input| object.with(input.column(), input.value(case)));
+    let blocks = case.layout.blocks;
+    let sizes = sizes.maybe("blocks", (blocks != Blocks::default()).then(|| blocks.word()));
     sizes.with("mesh", case.mesh.id.clone()).with("branch", case.rule.word())
 }
 

@@ -3,6 +3,7 @@
 use super::ensemble::Plan;
 use crate::dem::{Controls, SceneSpec, Test};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
+use crate::layout::Blocks;
 use crate::mesh::wire::{CurvePoint, Slack};
 use crate::words::Choice;
 
@@ -50,7 +51,16 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .text(&plan.seed.to_string())
         .optional(plan.phase.map(|p| p[0]))
         .optional(plan.phase.map(|p| p[1]))
+        .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
         .finish()
+}
+
+/// What blocks are taken for where nothing else is said.
+const REPEATED: &str = "repeated";
+
+/// The word for blocks: the paper's are checked as repeated ones.
+fn blocks_word(blocks: Blocks) -> &'static str {
+    if blocks == Blocks::Paper { REPEATED } else { blocks.word() }
 }
 
 #[cfg(test)]
@@ -81,6 +91,11 @@ mod tests {
             ..spec.clone()
         };
         let lab = SceneSpec { test: Test::Laboratory, ..spec.clone() };
+        let stood = |blocks| {
+            let layout = Layout { blocks, ..REFERENCE };
+            of_ensemble(&SceneSpec { layout, ..spec.clone() }, &controls, &plan)
+        };
+        assert_eq!(stood(Blocks::Repeated), base, "the paper's are the repeated ones");
         let all = [
             base,
             of_ensemble(&wires, &controls, &plan),
@@ -89,6 +104,8 @@ mod tests {
             of_ensemble(&spec, &controls, &Plan { seed: 1, ..plan.clone() }),
             of_ensemble(&spec, &controls, &Plan { phase: Some([0.0; 2]), ..plan.clone() }),
             of_ensemble(&spec, &controls, &Plan { runs: Some(8), ..plan.clone() }),
+            stood(Blocks::Mirrored),
+            stood(Blocks::Worst),
         ];
         let different: std::collections::BTreeSet<u64> = all.iter().map(|f| f.0).collect();
         assert_eq!(different.len(), all.len());

@@ -12,11 +12,13 @@
 //! - [`clock`]: processor time and time on the wall.
 //! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
 //!   the fingerprint of what one was made from.
+//! - [`blocks`]: the ensembles of the arrangements in which a layout's blocks may stand.
 //! - [`remark`]: what a check has to say of itself.
 //! - [`result`]: what a check leaves behind, and how one is made of a layout.
 //! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
 //!   comparison.
 
+pub(crate) mod blocks;
 pub mod checks;
 pub mod clock;
 pub(crate) mod compare;

@@ -6,6 +6,7 @@ use super::theme::Theme;
 use crate::app::App;
 use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast};
+use crate::layout::Layout;
 use crate::remark::Weight;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
@@ -125,10 +126,19 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     };
     let mut how = vec![
         (format!("{branch}, {}", forecast.rule.word()), theme.text),
-        (format!("lower bound; anchor {}", force_text(field.values.force)), theme.text),
+        (anchor_line(&app.layout().layout, field), theme.text),
     ];
     how.extend(check::trust(app, theme));
     (lines, how)
+}
+
+/// How the blocks stand, and what an anchor carries at failure: at most, where blocks face each other.
+fn anchor_line(layout: &Layout, field: &Field) -> String {
+    let (word, force) = (layout.blocks.word(), field.values.force);
+    match layout.facing_bound() {
+        None => format!("blocks {word}; anchor {}", force_text(force)),
+        Some(bound) => format!("blocks {word}; anchor <{}", force_text(bound * force)),
+    }
 }
 
 /// The force at the allowed deflection.

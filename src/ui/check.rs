@@ -52,6 +52,12 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     };
     lines.push((format!(" {difference}{runs} {word}{cut}"), theme.text));
     lines.extend(later.iter().map(|r| (format!(" {}", r.short()), theme.caution)));
+    if let Some(arrangement) = &result.field.arrangement {
+        let anchor = result.anchor().map_or(String::new(), |a| {
+            format!(", anchor {}", force_text(a.normal.hypot(a.in_plane)))
+        });
+        lines.push((format!(" {arrangement}{anchor}"), theme.text));
+    }
     let places = Places::from_result(result, &app.layout().layout).text();
     if !places.is_empty() && !shown.stale() {
         lines.push((format!(" breaks: {places}"), theme.text));

@@ -5,7 +5,7 @@ use super::text::{self, below, heading, put};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::look::Glyphs;
-use crate::layout::Layout;
+use crate::layout::{Blocks, Layout};
 use crate::show::grid::{DotGrid, DotPen, Pattern};
 use crate::show::picture::{Ink, Picture};
 use ratatui::buffer::Buffer;
@@ -95,11 +95,11 @@ fn plates(layout: &Layout, view: &View, grid: &mut DotGrid) {
 /// The outline of the punch and of its images in the neighbouring cells, and its centre.
 fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
     let outline = DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: Some('o') };
-    let (ex, ey) = layout.folded();
     let radius = layout.punch / 2.0;
     let reach = view.reach / 2.0;
     for ix in -1..=1 {
         for iy in -1..=1 {
+            let (ex, ey) = layout.offset_in(ix, iy);
             let (cx, cy) =
                 (ex + f64::from(ix) * layout.spacing, ey + f64::from(iy) * layout.spacing);
             if cx.abs() - radius > reach || cy.abs() - radius > reach {
@@ -109,7 +109,9 @@ fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
                 let angle = TAU * f64::from(i) / 64.0;
                 view.dot(cx + radius * angle.cos(), cy + radius * angle.sin())
             });
-            grid.line(circle, outline);
+            let own = (ix, iy) == (0, 0);
+            let faint = DotPen { ink: Ink::Overlay, ascii: Some('.'), ..outline };
+            grid.line(circle, if own || layout.blocks == Blocks::Paper { outline } else { faint });
             let (x, y) = view.dot(cx, cy);
             grid.dot(x.floor() as i32, y.floor() as i32, DotPen { ascii: Some('+'), ..outline });
         }

@@ -197,7 +197,7 @@ fn text_and_csv_hold_the_comparison_and_the_curves() {
     assert!(got.out.lines().all(|l| l.chars().count() <= 80), "{}", got.out);
     let got = run(&arguments(&["--runs=2", "--format=csv"]));
     let mut lines = got.out.lines();
-    assert_eq!(lines.next(), Some("run,delta_m,F_kN"));
+    assert_eq!(lines.next(), Some("run,delta_m,F_kN,anchor_normal_kN,anchor_in_plane_kN"));
     let runs: std::collections::BTreeSet<&str> =
         lines.map(|l| l.split(',').next().unwrap()).collect();
     assert_eq!(runs.into_iter().collect::<Vec<_>>(), ["1", "2"]);

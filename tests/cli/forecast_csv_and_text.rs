@@ -88,7 +88,7 @@ fn the_text_says_what_an_engineer_asks_for() {
         "gamma_load 1.5",
         "gamma_resistance 1.0",
         "10.0 kN factored to 15.0 kN: use 55.4 %",
-        "lower bound: a block in every cell",
+        "lowest of the arrangements computed",
         "square grid",
         "twists",
         "tangent 138, secant 42.6 kN/m; 4.06 kJ",

@@ -103,7 +103,7 @@ fn without_anything_it_is_the_reference_panel() {
     assert_eq!(v["warnings"][0]["code"], "reference_point");
     assert!(v["other_branch"].is_null() && v["design"].is_null());
     assert!(v.get("layout").is_none());
-    assert!(v["basis"].as_str().unwrap().starts_with("lower bound"));
+    assert!(v["basis"].as_str().unwrap().starts_with("lowest of the arrangements"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use meshcast::dem::{Fidelity, Flow};
 use meshcast::export::{ExportKind, ReportSource};
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::{NamedLayout, Project};
 use meshcast::study::result::Wanted;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// A project with a small cell that was checked, twice, and one that was not.
 fn checked() -> Project {
-    let layout = Layout { plate: 0.25, spacing: 1.3, punch: 0.4, ex: 0.0, ey: 0.0 };
+    let layout = Layout { plate: 0.25, spacing: 1.3, punch: 0.4, ex: 0.0, ey: 0.0, ..REFERENCE };
     let mut project = Project::starter("Small");
     project.layouts = vec![
         NamedLayout::new("one", layout, REFERENCE_ID),

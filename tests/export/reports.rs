@@ -99,7 +99,7 @@ fn the_steps_and_their_equations_stand_in_the_report() {
         "(0.89 + 0.11",
         "1.312",
         "A.1, small punch",
-        "A lower bound",
+        "The lowest of the arrangements computed",
         "square grid",
         "29.10 kN",
         "0.6480 m",

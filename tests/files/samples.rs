@@ -1,6 +1,6 @@
 //! The sample projects and the collection of good files: each opens, and is saved as it was.
 
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::project::{self, MeshUse, Opened};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -92,7 +92,14 @@ fn the_road_cut_is_table_1_row_by_row() {
     let have: Vec<Layout> = opened.project.layouts.iter().map(|l| l.layout).collect();
     let want: Vec<Layout> = rows
         .into_iter()
-        .map(|(plate, spacing, punch, ex, ey)| Layout { plate, spacing, punch, ex, ey })
+        .map(|(plate, spacing, punch, ex, ey)| Layout {
+            plate,
+            spacing,
+            punch,
+            ex,
+            ey,
+            ..REFERENCE
+        })
         .collect();
     assert_eq!(have, want);
     assert_eq!(opened.project.layouts[2].question.force, Some(20_000.0));

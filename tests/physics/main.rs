@@ -39,7 +39,7 @@ fn published(test: Test, wire: WireData) -> SceneSpec {
 
 /// A small scene in no symmetric position: panel of 1.2 m, punch of 0.5 m, plates of 0.25 m.
 fn small(test: Test, wire: WireData) -> SceneSpec {
-    let layout = Layout { spacing: 1.2, punch: 0.5, plate: 0.25, ex: 0.05, ey: -0.03 };
+    let layout = Layout { spacing: 1.2, punch: 0.5, plate: 0.25, ex: 0.05, ey: -0.03, ..REFERENCE };
     SceneSpec {
         layout,
         test,

@@ -7,13 +7,13 @@ use meshcast::dem::{
     Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, REVISION, RunOutcome, SceneSpec, Test,
     check,
 };
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 fn scene(test: Test, ex: f64, ey: f64) -> SceneSpec {
-    let layout = Layout { plate: 0.25, spacing: 1.2, punch: 0.5, ex, ey };
+    let layout = Layout { plate: 0.25, spacing: 1.2, punch: 0.5, ex, ey, ..REFERENCE };
     SceneSpec {
         layout,
         test,

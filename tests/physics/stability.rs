@@ -13,7 +13,7 @@ use meshcast::dem::stepper::Stepper;
 use meshcast::dem::{
     Arrangement, Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check,
 };
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::laws;
 use meshcast::words::Choice;
 
@@ -34,7 +34,7 @@ fn random_scene(k: u64) -> SceneSpec {
     };
     wire.distortion.lambda_f = if draw(7, 0.0, 1.0) < 0.2 { 0.6 } else { 1.0 };
     SceneSpec {
-        layout: Layout { plate, spacing, punch, ex, ey },
+        layout: Layout { plate, spacing, punch, ex, ey, ..REFERENCE },
         test,
         wire,
         phase: [draw(8, 0.0, 1.0), draw(9, 0.0, 1.0)],

@@ -4,7 +4,7 @@ mod studies;
 
 use meshcast::forecast::field::Branch;
 use meshcast::forecast::{CURVE_POINTS, Field, Forecast, forecast};
-use meshcast::layout::{BranchRule, Layout};
+use meshcast::layout::{BranchRule, Layout, REFERENCE};
 use meshcast::mesh::{MeshType, catalogue};
 use meshcast::units::{LengthUnit, Quantity, parse, shortest};
 use proptest::prelude::*;
@@ -25,6 +25,7 @@ fn layouts() -> impl Strategy<Value = Layout> {
             punch: punch * spacing,
             ex: ex * spacing,
             ey: ey * spacing,
+            ..REFERENCE
         },
     )
 }
@@ -109,7 +110,7 @@ proptest! {
         rule in rules(),
     ) {
         let [plate, spacing, punch, ex, ey] = sizes;
-        let layout = Layout { plate, spacing, punch, ex, ey };
+        let layout = Layout { plate, spacing, punch, ex, ey, ..REFERENCE };
         match forecast(&layout, &catalogue::reference(), rule) {
             Ok(f) => {
                 prop_assert!(numbers(&f).iter().all(|v| v.is_finite()), "{f:?}");

@@ -2,7 +2,7 @@
 
 use meshcast::forecast::field::{Branch, centred};
 use meshcast::forecast::{Values, laboratory, master};
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 
 /// F_l*, delta_l* of the paper.
 const LAB: Values = Values { force: 73_300.0, deflection: 0.60 };
@@ -40,7 +40,7 @@ fn equations_1_and_2_back_to_the_standard_panel() {
 
 #[test]
 fn equations_a1_and_a2_for_a_small_punch() {
-    let layout = Layout { plate: 0.16, spacing: 3.0, punch: 0.16, ex: 0.0, ey: 0.0 };
+    let layout = Layout { plate: 0.16, spacing: 3.0, punch: 0.16, ex: 0.0, ey: 0.0, ..REFERENCE };
     assert_eq!(Branch::published(&layout), Branch::SmallPunch, "D = d belongs to the small punch");
     // A.1: 2.47 x 0.16 = 0.3952; 0.48 x 0.5 + 0.45 = 0.69; 1: 0.272688 x 29.1 = 7.9352208.
     // A.2: 0.98 x (0.1152 + 0.78 = 0.8952) x (0.01 + 0.98 = 0.99) = 0.86852304 x 0.648.
@@ -53,7 +53,7 @@ fn equations_a1_and_a2_for_a_small_punch() {
 
 #[test]
 fn equations_a1_and_a2_for_a_large_punch() {
-    let layout = Layout { plate: 0.48, spacing: 4.5, punch: 2.0, ex: 0.0, ey: 0.0 };
+    let layout = Layout { plate: 0.48, spacing: 4.5, punch: 2.0, ex: 0.0, ey: 0.0, ..REFERENCE };
     assert_eq!(Branch::published(&layout), Branch::LargePunch);
     // A.1: (0.12 + 0.94 = 1.06) x (0.72 + 0.45 = 1.17) x 1.08 = 1.339416 x 29.1 = 38.9770056.
     // A.2: 1.47 x (0.12 - 0.32 + 1.13 = 0.93) x (0.03 + 0.98 = 1.01) = 1.380771 x 0.648.

@@ -8,7 +8,7 @@ use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
 use meshcast::export::{csv, exported};
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::schema::{NamedLayout, Project};
 use meshcast::units::LengthUnit;
@@ -482,7 +482,8 @@ fn opening_waits_for_a_save_that_runs() {
 #[test]
 fn too_large_a_deflection_is_said_in_answer_details_and_comparison() {
     let layout = |allowed| {
-        let geometry = Layout { plate: 0.25, spacing: 3.0, punch: 0.6, ex: 0.0, ey: 0.0 };
+        let geometry =
+            Layout { plate: 0.25, spacing: 3.0, punch: 0.6, ex: 0.0, ey: 0.0, ..REFERENCE };
         let mut layout = NamedLayout::new("cut", geometry, REFERENCE_ID);
         layout.question.force = Some(20_000.0);
         layout.question.deflection = Some(allowed);

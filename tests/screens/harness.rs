@@ -7,7 +7,7 @@ use meshcast::app::message::{Command, Message};
 use meshcast::app::settings::Preferences;
 use meshcast::app::{App, Start};
 use meshcast::job::Order;
-use meshcast::layout::Layout;
+use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::schema::{NamedLayout, Project};
 use ratatui::buffer::Buffer;
@@ -29,7 +29,11 @@ pub(crate) fn road_cut() -> Project {
     project.layouts = rows
         .into_iter()
         .map(|(name, [plate, spacing, punch, ex, ey])| {
-            NamedLayout::new(name, Layout { plate, spacing, punch, ex, ey }, REFERENCE_ID)
+            NamedLayout::new(
+                name,
+                Layout { plate, spacing, punch, ex, ey, ..REFERENCE },
+                REFERENCE_ID,
+            )
         })
         .collect();
     project
@@ -180,7 +184,7 @@ pub(crate) fn styled(app: &App) -> String {
 
 /// Two small cells, and one that cannot be checked: the punch is on a plate.
 pub(crate) fn small() -> Project {
-    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex };
+    let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex, ..REFERENCE };
     let mut project = Project::starter("Small");
     project.layouts = vec![
         NamedLayout::new("one", layout(1.3, 0.0), REFERENCE_ID),

@@ -4,7 +4,7 @@ use super::history::Run;
 use super::{Editor, NONE};
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
-use crate::layout::{self, BranchRule, Layout};
+use crate::layout::{self, Blocks, BranchRule, Layout};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
@@ -207,6 +207,23 @@ impl Editor {
             BranchRule::Published => "branch of A.1-A.2 as published: by D <= d",
             BranchRule::Conservative => "conservative: the branch of A.1-A.2 with the lower force",
         }
+    }
+
+    /// Goes on to the next way in which the blocks of other cells stand; what to say.
+    pub(in crate::app) fn turn_blocks(&mut self) -> String {
+        let now = self.layout().layout.blocks;
+        let at = Blocks::ALL.iter().position(|b| *b == now).unwrap_or(0);
+        let blocks = Blocks::ALL[(at + 1) % Blocks::ALL.len()];
+        let label = format!("blocks of {}", self.layout().name);
+        self.edit_layout(label, |layout| layout.layout.blocks = blocks);
+        let said = match blocks {
+            Blocks::Paper => "blocks as the paper has them: its map, checked as repeated ones",
+            Blocks::Repeated => "repeated: the same block in every cell",
+            Blocks::Mirrored => "mirrored: blocks face their neighbours across the anchor lines",
+            Blocks::Worst => "worst: the check takes the lower of repeated and mirrored",
+        };
+        let overlap = blocks == Blocks::Mirrored && self.layout().layout.blocks_overlap().is_some();
+        if overlap { format!("{said}; here they overlap: no check") } else { said.into() }
     }
 
     /// Sets the unit of lengths, kept in the project.

@@ -27,6 +27,7 @@ pub enum Action {
     Overlay,
     PickMesh,
     Branch,
+    Blocks,
     Units,
     Basis,
     Undo,

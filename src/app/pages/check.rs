@@ -61,6 +61,17 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
             );
         }
     }
+    if let Some(arrangement) = &v.field.arrangement {
+        page.row("blocks", &format!("{arrangement}, the lowest of the arrangements computed"));
+    }
+    if let Some(a) = v.anchor() {
+        let [normal, largest] = [a.normal, a.largest].map(force_text);
+        let in_plane = force_text(a.in_plane);
+        page.row(
+            "worst anchor",
+            &format!("{normal} out of the plane, {in_plane} in it; largest {largest}"),
+        );
+    }
     page.row("peak", &format!("{} at {}", force_text(v.peak.force), m(v.peak.deflection)));
     page.row("stiffness at 75 %", &format!("{} kN/m", significant(to_kn(v.k75), 3)));
     page.row("energy to the first break", &format!("{} kJ", significant(to_kj(v.energy), 3)));

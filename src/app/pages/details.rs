@@ -103,7 +103,15 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     if let (Some(f), Some(d)) = (forecast.force_over_lab(), forecast.deflection_over_lab()) {
         page.row("F_a/F_l*, delta_a/delta_l*", &format!("{f:.3}, {d:.3}"));
     }
-    page.row("force on each anchor", &force_text(field.values.force));
+    let blocks = app.layout().layout;
+    page.row("blocks of other cells", blocks.blocks.word());
+    match blocks.facing_bound() {
+        None => page.row("force on each anchor", &force_text(field.values.force)),
+        Some(bound) => page.row(
+            "force on the worst anchor",
+            &format!("at most {} (estimate)", force_text(bound * field.values.force)),
+        ),
+    }
     curve(page, &field, unit);
     design(page, app, unit);
 }

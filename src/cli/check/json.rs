@@ -3,10 +3,12 @@
 use super::Checked;
 use crate::cli::output::{Fault, json_list};
 use crate::dem::lattice::Role;
-use crate::dem::outcome::{Break, Quality, RunOutcome};
+use crate::dem::outcome::{AnchorForce, Break, Quality, RunOutcome};
 use crate::show::objects::{curve, ends, head, inputs, maybe_pair, pair, remark};
 use crate::show::value::{Object, Value, exact, kn, word};
+use crate::study::blocks::{Stood, word as word_of};
 use crate::study::ensemble::{Run, Spread};
+use crate::study::result::WorstAnchor;
 use crate::units::to_kn;
 use crate::words::Choice;
 
@@ -38,8 +40,41 @@ fn one(c: &Checked) -> Object {
         .with("standard_deviation", both(broken > 1, |s| s.deviation))
         .with("slipped", e.slipped)
         .with("band", band)
+        .with("arrangement", c.test_is_anchored().then(|| word_of(c.arrangement)))
+        .with("other_arrangements", c.others.iter().map(other).collect::<Value>())
+        .with("worst_anchor", c.anchor().map(anchor))
         .with("forecast", maybe_pair(c.forecast.values.map(|v| (v.force, v.deflection))))
         .with("warnings", remarks.collect::<Value>())
+}
+
+/// Another arrangement that was simulated.
+fn other(stood: &Stood) -> Object {
+    let e = &stood.ensemble;
+    Object::new()
+        .with("arrangement", word_of(stood.arrangement))
+        .with("mean", pair(e.force.mean, e.deflection.mean))
+        .with("standard_error", pair(e.force.error, e.deflection.error))
+        .with("runs", e.runs.len())
+}
+
+/// The worst anchor of the runs: means of its parts, and the largest force in any run.
+fn anchor(a: WorstAnchor) -> Object {
+    Object::new()
+        .with("normal_kN", kn(a.normal))
+        .with("in_plane_kN", kn(a.in_plane))
+        .with("largest_kN", kn(a.largest))
+}
+
+/// The worst anchor of a run.
+fn anchor_of_run(a: AnchorForce) -> Object {
+    let [normal, in_plane] = a.parts();
+    Object::new()
+        .with("normal_kN", kn(normal))
+        .with("in_plane_kN", kn(in_plane))
+        .with("x_kN", kn(a.force[0]))
+        .with("y_kN", kn(a.force[1]))
+        .with("x_m", a.place[0])
+        .with("y_m", a.place[1])
 }
 
 /// The word for a bond.
@@ -75,6 +110,7 @@ fn run(run: &Run) -> Object {
         .with("peak", pair(o.peak.force, o.peak.deflection))
         .with("energy_J", finite(o.energy))
         .with("k75_kN_per_m", (o.k75 > 0.0).then(|| kn(o.k75)))
+        .with("worst_anchor", o.worst_anchor().map(anchor_of_run))
         .with("curve", curve(&o.curve))
         .with("quality", quality(&o.quality))
         .with("cost", cost(run.wall, o))

@@ -26,9 +26,11 @@ use crate::forecast::{Field, Values, laboratory};
 use crate::mesh::STANDARD_PUNCH;
 use crate::problem::Problem;
 use crate::project;
-use crate::study::ensemble::{self, Ensemble, Plan, Run};
+use crate::study::blocks::{self, Stood};
+use crate::study::ensemble::{Ensemble, Plan, Run, counts};
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
+use crate::study::result::{WorstAnchor, anchors};
 use std::sync::Arc;
 
 /// One case with its check.
@@ -39,7 +41,12 @@ struct Checked {
     spec: SceneSpec,
     fidelity: Fidelity,
     plan: Plan,
+    /// The ensemble of the arrangement that decides.
     ensemble: Ensemble,
+    /// That arrangement.
+    arrangement: Arrangement,
+    /// What else was simulated, with higher forces.
+    others: Vec<Stood>,
     /// Factors by which the net was stretched in x and y to meet the panel.
     stretch: [f64; 2],
     forecast: Forecast,
@@ -52,6 +59,17 @@ impl Checked {
     fn broken(&self) -> usize {
         let good = |run: &&Run| run.outcome.stop != Stop::Diverged;
         self.ensemble.runs.iter().filter(good).filter(|r| r.outcome.first_break.is_some()).count()
+    }
+
+    /// Whether it is the test with anchors.
+    fn test_is_anchored(&self) -> bool {
+        self.spec.test == Test::Anchored
+    }
+
+    /// The worst anchor of the runs that count.
+    fn anchor(&self) -> Option<WorstAnchor> {
+        let counted: Vec<&Run> = self.ensemble.runs.iter().filter(|r| counts(r)).collect();
+        WorstAnchor::of(&anchors(&counted))
     }
 
     /// How many runs are in the band and the mean peak: all that came to an end of their own.
@@ -145,7 +163,7 @@ fn prepare(
         wire: wires.for_mesh(&case.mesh)?,
         phase: plan.phase.unwrap_or(PLAIN_PHASE),
         seed: plan.seed,
-        arrangement: Arrangement::default(),
+        arrangement: first_arrangement(&case, args.test),
     };
     let controls = args.controls()?;
     let placed = |found: Vec<Problem>| {
@@ -162,6 +180,12 @@ fn prepare(
     }
     let stretch = scene.lattice.stretch;
     Ok(Ready { name, case, spec, controls, plan, stretch, forecast })
+}
+
+/// The first arrangement that is simulated, with which all that can be wrong is found.
+fn first_arrangement(case: &Case, test: Test) -> Arrangement {
+    let first = blocks::arrangements(&case.layout).into_iter().next();
+    first.filter(|_| test == Test::Anchored).unwrap_or_default()
 }
 
 /// The closed form of the same test: the field values, or Eqs. 1-2 for a panel with the standard
@@ -200,7 +224,9 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
         // Until the first run has ended, its end is expected where the forecast has it.
         let guess = expected_break(&spec.layout, forecast.values);
         watch.begin(&label, part, parts, guess + controls.after_break);
-        let ensemble = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))?;
+        let tell = |now| watch.tell(now);
+        let mut made = blocks::run(&spec, &controls, &plan, &tell, &|_, _| {})?.into_iter();
+        let Some(Stood { arrangement, ensemble }) = made.next() else { continue };
         let fingerprint = of_ensemble(&spec, &controls, &plan);
         let fidelity = controls.fidelity;
         let mut one = Checked {
@@ -210,6 +236,8 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             fidelity,
             plan,
             ensemble,
+            arrangement,
+            others: made.collect(),
             stretch,
             forecast,
             fingerprint,

@@ -5,8 +5,10 @@ use super::json::kind;
 use super::{Checked, VERSION};
 use crate::cli::output::wrapped;
 use crate::curve::Curve;
-use crate::dem::{Stop, Test};
+use crate::dem::{Arrangement, Stop, Test};
 use crate::forecast::CURVE_POINTS;
+use crate::layout::Blocks;
+use crate::study::blocks::word;
 use crate::study::ensemble::Run;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, significant, to_kj, to_kn};
 use crate::words::Choice;
@@ -148,6 +150,47 @@ fn side_by_side(page: &mut Page, c: &Checked) {
     }
     if counted > 0 {
         row("  peak, mean", force_text(e.peak[0]), length(e.peak[1]));
+    }
+    blocks(page, c);
+}
+
+/// How the blocks stood, what else was simulated, and what the anchors carry.
+fn blocks(page: &mut Page, c: &Checked) {
+    if !c.test_is_anchored() {
+        return;
+    }
+    let mut text = match c.arrangement {
+        Arrangement::Mirrored => "mirrored, facing their neighbours across the anchor lines".into(),
+        other => word(other),
+    };
+    for other in &c.others {
+        let e = &other.ensemble;
+        let [error, mean] = [e.force.error, e.force.mean].map(to_kn);
+        text.push_str(&format!(
+            "; {} {} kN (standard error {}) at {}",
+            word(other.arrangement),
+            significant(mean, 3),
+            significant(error, 2),
+            length_text(e.deflection.mean, page.unit)
+        ));
+    }
+    if c.case.layout.blocks == Blocks::Worst {
+        text = match c.case.layout.blocks_overlap() {
+            _ if !c.others.is_empty() => format!("lowest of the arrangements computed: {text}"),
+            Some(_) => format!("{text} alone: mirrored ones would overlap"),
+            None => format!("{text}: a centred block is its own mirror image"),
+        };
+    }
+    page.line("blocks", text);
+    if let Some(a) = c.anchor() {
+        let [normal, in_plane, largest] =
+            [a.normal, a.in_plane, a.largest].map(|v| significant(to_kn(v), 3));
+        page.line(
+            "worst anchor",
+            format!(
+                "{normal} kN out of the plane and {in_plane} kN in it, means; largest {largest} kN"
+            ),
+        );
     }
 }
 

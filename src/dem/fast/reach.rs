@@ -137,11 +137,12 @@ mod tests {
     use crate::dem::run::drive;
     use crate::dem::stepper::Stepper;
     use crate::dem::{Arrangement, Controls, Flow, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
-    use crate::layout::Layout;
+    use crate::layout::{Layout, REFERENCE};
     use crate::mesh::laws;
 
     fn scene() -> Scene {
-        let layout = Layout { plate: 0.25, spacing: 1.6, punch: 0.5, ex: 0.0, ey: 0.0 };
+        let layout =
+            Layout { plate: 0.25, spacing: 1.6, punch: 0.5, ex: 0.0, ey: 0.0, ..REFERENCE };
         let spec = SceneSpec {
             layout,
             test: Test::Anchored,

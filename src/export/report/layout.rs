@@ -6,6 +6,7 @@ use super::front::entered_force;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Check, ExportedLayout, command};
 use crate::forecast::{Field, Values, field};
+use crate::layout::Layout;
 use crate::mesh::STANDARD_PANEL;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
 use crate::units::{to_kj, to_kn};
@@ -36,7 +37,7 @@ pub(crate) fn layout(
     ]));
     steps(case, unit, document);
     if let Ok(field) = &case.forecast().field {
-        points(field, unit, document);
+        points(&case.case.layout, field, unit, document);
     }
     design(case, unit, document);
     if let Some(check) = check {
@@ -142,7 +143,7 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
 }
 
 /// A few points of the curve.
-fn points(field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
+fn points(layout: &Layout, field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
     let three = |v: f64| Words::from(significant(v, 3));
     let rows = [25, 50, 75, 90, 100].map(|percent| {
         let delta = field.values.deflection * f64::from(percent) / 100.0;
@@ -162,7 +163,15 @@ fn points(field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
         numbers: true,
     });
     let force = force_text(field.values.force);
-    document.say(&format!("Each anchor carries {force} at failure: the whole force of its cell."));
+    match layout.facing_bound() {
+        None => document
+            .say(&format!("Each anchor carries {force} at failure: the whole force of its cell.")),
+        Some(bound) => document.say(&format!(
+            "Where blocks face each other the worst anchor carries at most {} of {force} at failure, {} (an estimate; a check gives its force).",
+            significant(bound, 4),
+            force_text(bound * field.values.force)
+        )),
+    }
 }
 
 /// The answers to the design questions, with the factors that act.

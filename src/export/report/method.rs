@@ -57,7 +57,7 @@ pub(crate) fn limits(document: &mut ReportDocument) {
         PANEL.text()
     );
     document.blocks.push(Block::List(vec![
-        ours("A lower bound: the panel is one cell of a mesh with a block in every cell, so each anchor carries the whole force of its cell. It is not the answer for one block on a large mesh."),
+        ours("The lowest of the arrangements computed, with a block in every cell of the mesh: where the same block repeats each anchor carries the whole force of its cell, where blocks face each other across a line of anchors the one between them carries more. It is not the answer for one block on a large mesh."),
         ours("Anchors stand on a square grid and the net hangs with its twists down the slope (y). Other grids are not covered."),
         ours(&ranges),
         ours("{F_a} jumps where {D} = {d}. Near it both values are given, and a layout may choose the conservative one."),

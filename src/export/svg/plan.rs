@@ -78,6 +78,7 @@ fn punches(layout: &Layout, view: &View, drawing: &mut Drawing) {
     let radius = layout.punch / 2.0;
     for ix in -1..=1 {
         for iy in -1..=1 {
+            let (ex, ey) = layout.offset_in(ix, iy);
             let (cx, cy) =
                 (ex + f64::from(ix) * layout.spacing, ey + f64::from(iy) * layout.spacing);
             let round: Vec<(f64, f64)> = (0..=96)

@@ -282,6 +282,7 @@ fn one_layout(
                 (None, "check") => FieldChange::Unset,
                 (None, "note") => FieldChange::Set("\"\"".to_string()),
                 (None, "overlay") => FieldChange::Set("false".to_string()),
+                (None, "blocks") => FieldChange::Set(is.layout.blocks.word().to_string()),
                 (None, "branch") => FieldChange::Set(is.branch.word().to_string()),
                 (None, _) => match input.map(|input| (input.row().missing, input)) {
                     Some((Missing::Means(default), input)) => {

@@ -4,11 +4,12 @@ use super::relief::Relief;
 use super::{CheckResult, Wanted};
 use crate::dem::{Arrangement, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::fingerprint::Fingerprint;
-use crate::layout::Layout;
+use crate::layout::{Blocks, Layout};
 use crate::mesh::MeshType;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
-use crate::study::ensemble::{self, EnsembleProgress, Run};
+use crate::study::blocks::{self, Stood};
+use crate::study::ensemble::{EnsembleProgress, Run};
 use crate::study::inputs::of_ensemble;
 
 /// What a check tells while it runs.
@@ -77,11 +78,18 @@ pub fn make(
         tell(Told::Finished(k, run));
     };
     let progress = |now: EnsembleProgress| tell(Told::Progress(now));
-    let ensemble = ensemble::run_watched(&spec, &controls, &plan, &progress, &finished)?;
+    let made = blocks::run(&spec, &controls, &plan, &progress, &finished)?;
+    // There is one arrangement at least: the list that is run is never empty.
+    let Some(Stood { arrangement, ensemble }) = made.into_iter().next() else {
+        return Err(vec![Problem::new("blocks", "there is nothing to simulate")]);
+    };
     let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
     let relief = first.map(|net| Relief::from_net(net, layout.spacing));
     let inputs = of_ensemble(&spec, &controls, &plan);
-    Ok(Made { result: CheckResult::from_ensemble(&ensemble, wanted, inputs), relief })
+    let mut result = CheckResult::from_ensemble(&ensemble, wanted, inputs);
+    let plain = matches!(layout.blocks, Blocks::Paper | Blocks::Repeated);
+    result.field.arrangement = (!plain).then(|| blocks::word(arrangement));
+    Ok(Made { result, relief })
 }
 
 #[cfg(test)]
@@ -130,7 +138,8 @@ mod tests {
         // From files that are out: new inputs must add nothing to these (see `crate::fingerprint`).
         let mesh = catalogue::reference();
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
-        let centred = Layout { plate: 0.25, spacing: 1.5, punch: 0.5, ex: 0.0, ey: 0.0 };
+        let centred =
+            Layout { plate: 0.25, spacing: 1.5, punch: 0.5, ex: 0.0, ey: 0.0, ..REFERENCE };
         let eccentric = Layout { spacing: 1.6, ex: 0.3, ey: 0.2, ..centred };
         for (layout, print) in [(centred, "28a5ca5d22413d32"), (eccentric, "980cac6d0df6e3b9")] {
             let now = fingerprint(&layout, wires(&mesh).unwrap(), &wanted);

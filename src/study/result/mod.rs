@@ -73,12 +73,46 @@ pub struct FirstBreak {
 /// from it, but keeps it, as it stands in the file, with the check that it belongs to.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Later {
-    /// How the blocks lie in the cells.
-    pub arrangement: Option<String>,
     /// Figures of each class of alignments.
     pub strata: Option<Vec<Vec<f64>>>,
     /// Fractiles of the results, such as 5 % and 95 %.
     pub fractiles: Option<Vec<Vec<f64>>>,
+}
+
+/// How the blocks stood, and what that did to the anchors.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FieldFigures {
+    /// How the blocks stood that gave the result; nothing said: the same block in every cell.
+    pub arrangement: Option<String>,
+    /// The force of the worst anchor of each run with a break, in the order of the runs, N: out of the
+    /// plane of the net and in it. Empty in results of older programs.
+    pub anchors: Vec<[f64; 2]>,
+}
+
+/// Force on an anchor, N.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstAnchor {
+    /// Mean over the runs of the part out of the plane of the net.
+    pub normal: f64,
+    /// Mean of the part in the plane.
+    pub in_plane: f64,
+    /// Largest size of the whole force in any run.
+    pub largest: f64,
+}
+
+impl WorstAnchor {
+    /// Of the forces of some runs, as [`FieldFigures::anchors`] has them; nothing of none.
+    pub(crate) fn of(anchors: &[[f64; 2]]) -> Option<WorstAnchor> {
+        let n = anchors.len() as f64;
+        let mean = |k: usize| anchors.iter().map(|a| a[k]).sum::<f64>() / n;
+        let largest = anchors.iter().map(|a| a[0].hypot(a[1])).fold(0.0, f64::max);
+        (!anchors.is_empty()).then(|| WorstAnchor { normal: mean(0), in_plane: mean(1), largest })
+    }
+
+    /// Size of the mean force, N.
+    pub(crate) fn size(&self) -> f64 {
+        self.normal.hypot(self.in_plane)
+    }
 }
 
 /// The result of a check in brief. Forces N, lengths m.
@@ -114,6 +148,8 @@ pub struct CheckResult {
     pub quality: Quality,
     /// What the ensemble told of itself; see [`CheckResult::remarks`] for all there is to say.
     pub flags: Vec<CheckFlag>,
+    /// How the blocks stood, and the anchors' forces.
+    pub field: FieldFigures,
     /// What another version noted.
     pub later: Later,
 }
@@ -159,8 +195,22 @@ impl CheckResult {
             band,
             quality: worst(&runs),
             flags: ensemble.flags.clone(),
+            field: FieldFigures {
+                arrangement: None,
+                anchors: anchors(&runs).into_iter().map(|parts| parts.map(&force)).collect(),
+            },
             later: Later::default(),
         }
+    }
+
+    /// The worst anchor of its runs.
+    pub fn anchor(&self) -> Option<WorstAnchor> {
+        WorstAnchor::of(&self.field.anchors)
+    }
+
+    /// The force of the worst anchor over that on a block, at the first break.
+    pub(crate) fn anchor_share(&self) -> Option<f64> {
+        Some(self.anchor()?.size() / self.force.mean)
     }
 
     /// Whether the check was ended before all its runs were made.
@@ -197,6 +247,11 @@ impl CheckResult {
         };
         facts.remarks()
     }
+}
+
+/// The worst anchor's force of each run that has one, out of the plane and in it, N.
+pub(crate) fn anchors(runs: &[&Run]) -> Vec<[f64; 2]> {
+    runs.iter().filter_map(|run| Some(run.outcome.worst_anchor()?.parts())).collect()
 }
 
 /// The worst of each figure.

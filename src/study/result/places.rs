@@ -67,7 +67,7 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::layout::REFERENCE;
     use crate::study::ensemble::Spread;
-    use crate::study::result::{FirstBreak, Later, Revisions, Wanted};
+    use crate::study::result::{FieldFigures, FirstBreak, Later, Revisions, Wanted};
 
     #[test]
     fn places_are_told_apart_across_the_edge_too() {
@@ -90,6 +90,7 @@ mod tests {
             breaks: vec![at(-1.25, 1.3), at(0.4, 0.3), at(0.0, 1.2), at(1.45, 0.1)],
             quality: Quality::default(),
             flags: Vec::new(),
+            field: FieldFigures::default(),
             later: Later::default(),
         };
         let p = Places::from_result(&result, &REFERENCE);

@@ -28,7 +28,9 @@ impl Relief {
             // Nodes of a periodic net may stand a little outside; out of range is clamped.
             ((v / side * CELLS as f64).floor().max(0.0) as usize).min(CELLS - 1)
         };
-        for node in &net.nodes {
+        // Of a field of several cells the first one, whose block stands where the layout's does.
+        let in_cell = |v: f64| v <= side * (1.0 + 0.5 / CELLS as f64);
+        for node in net.nodes.iter().filter(|node| in_cell(node[0]) && in_cell(node[1])) {
             let k = cell(node[1]) * CELLS + cell(node[0]);
             sum[k] += node[2];
             count[k] += 1.0;

@@ -245,7 +245,7 @@ mod tests {
         assert!(bar(&s, Input::OffsetX).lowered.change.is_some());
         // D = 0.95 L: 10 % more is beyond L, and L less is below D.
         let s = sensitivity(&case(
-            Layout { plate: 0.05, spacing: 3.0, punch: 2.85, ex: 0.0, ey: 0.0 },
+            Layout { plate: 0.05, spacing: 3.0, punch: 2.85, ex: 0.0, ey: 0.0, ..REFERENCE },
             None,
         ));
         for step in [&bar(&s, Input::Punch).raised, &bar(&s, Input::Spacing).lowered] {

@@ -96,7 +96,7 @@ pub fn verdict(
     let checks = [
         strength.unwrap_or_else(|state| open(Aspect::Strength, case, state)),
         deflection.unwrap_or_else(|state| open(Aspect::Deflection, case, state)),
-        anchor(case),
+        anchor(case, check),
     ];
     Verdict { basis, checks, remarks: remarks(case, &forecast, simulated) }
 }
@@ -192,9 +192,20 @@ pub(super) fn deflection(case: &Case, panel: &Panel) -> Checked {
     }
 }
 
-fn anchor(case: &Case) -> Checked {
+/// What the worst anchor carries of the force on a block, and by what that is known.
+fn anchor_share(case: &Case, check: Option<&CheckResult>) -> (f64, Judge) {
+    let check = check.filter(|c| c.broke());
+    match (check.and_then(CheckResult::anchor_share), case.layout.facing_bound()) {
+        (Some(share), _) => (share, Judge::Check),
+        (None, Some(bound)) => (bound, Judge::Estimate),
+        (None, None) => (1.0, Judge::Statics),
+    }
+}
+
+fn anchor(case: &Case, check: Option<&CheckResult>) -> Checked {
     let asked = case.asked();
-    let demand = asked.force.map(|f| asked.gamma_load * f);
+    let (share, judge) = anchor_share(case, check);
+    let demand = asked.force.map(|f| share * asked.gamma_load * f);
     let capacity = asked.anchor_resistance;
     let usage = demand.zip(capacity).map(|(demand, takes)| demand / takes);
     let state = match (usage, lacking(&[(demand, LOAD), (capacity, ANCHOR)])) {
@@ -207,7 +218,7 @@ fn anchor(case: &Case) -> Checked {
         capacity: [capacity; 2],
         usage: [usage; 2],
         state,
-        judge: usage.map(|_| Judge::Statics),
+        judge: usage.map(|_| judge),
     }
 }
 

@@ -6,8 +6,8 @@
 //! - strength: F_d gamma_resistance / capacity, at most 1;
 //! - deflection: delta(F_k) over the allowed one on the mean curve; where the panel does not carry F_k,
 //!   F_k over the force at the allowed deflection, and it fails;
-//! - anchor: F_d over what an anchor takes. In a field with a block in every cell an anchor carries the
-//!   whole force of its cell, by statics.
+//! - anchor: F_d times the worst anchor's share over what an anchor takes: the share that the check has at
+//!   its first break, else 1 by statics, and where blocks face each other an upper bound, the estimate.
 //!
 //! The capacity is the mean, or the characteristic value: of the forecast F_a (1 - 1.645 V), of a check
 //! the lower end of its band. Both are given; the basis says which one decides. Where a check by
@@ -91,6 +91,8 @@ pub enum Judge {
     Check,
     /// Statics alone.
     Statics,
+    /// An upper bound.
+    Estimate,
 }
 
 impl Judge {
@@ -100,6 +102,7 @@ impl Judge {
             Judge::Forecast => "forecast",
             Judge::Check => "check",
             Judge::Statics => "statics",
+            Judge::Estimate => "estimate",
         }
     }
 }

@@ -5,10 +5,10 @@ use crate::case::{Question, example};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
-use crate::layout::{Layout, REFERENCE};
+use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::study::ensemble::Spread;
 use crate::study::mend::{Mend, mend};
-use crate::study::result::{Later, Revisions, Wanted};
+use crate::study::result::{FieldFigures, Later, Revisions, Wanted};
 
 /// Double twist 8x10, d 0.25, D 0.6 m, 20 kN, 0.4 m allowed.
 fn job(spacing: f64) -> Case {
@@ -49,6 +49,7 @@ fn check(force: f64, band: [f64; 2], runs: usize) -> CheckResult {
         breaks: Vec::new(),
         quality: Quality::default(),
         flags: Vec::new(),
+        field: FieldFigures::default(),
         later: Later::default(),
     }
 }
@@ -125,6 +126,30 @@ fn an_anchor_carries_the_factored_load_of_its_cell() {
     case.question.anchor_resistance = Some(20_000.0);
     let c = judged(&case, Basis::Mean).checks[2];
     assert!((c.usage[0].unwrap() - 1.1).abs() < 1e-12 && c.state == State::Fail);
+}
+
+#[test]
+fn the_anchor_takes_its_share_from_the_check_or_an_upper_bound_without_one() {
+    let mut case = job(3.5);
+    (case.layout.ex, case.layout.ey, case.layout.punch) = (0.55, 1.15, 0.8);
+    case.question = Question {
+        force: Some(10_000.0),
+        anchor_resistance: Some(20_000.0),
+        ..Question::default()
+    };
+    let at = |case: &Case| judged(case, Basis::Mean).checks[2];
+    assert_eq!((at(&case).usage[0], at(&case).judge), (Some(0.5), Some(Judge::Statics)));
+    // Facing each other: (1 + 1.1/3.5)(1 + 2.3/3.5) = 2.17796 at most.
+    case.layout.blocks = Blocks::Mirrored;
+    let c = at(&case);
+    assert!((c.usage[0].unwrap() - 0.5 * 2.177_96).abs() < 1e-5 && c.state == State::Fail);
+    assert_eq!(c.judge, Some(Judge::Estimate));
+    // A check: 24 and 7 kN are 25 kN, over a first break at 15 kN.
+    let mut result = check(15.0, [14.0, 16.0], 8);
+    result.field.anchors = vec![[24_000.0, 7_000.0]; 2];
+    let c = with(&case, Simulated::Current(&result), Basis::Mean).checks[2];
+    assert!((c.usage[0].unwrap() - 0.5 * 25.0 / 15.0).abs() < 1e-12);
+    assert_eq!((c.judge, c.state), (Some(Judge::Check), State::Pass));
 }
 
 #[test]

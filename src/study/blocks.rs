@@ -1,0 +1,168 @@
+//! A layout's blocks simulated as they may stand: repeated, mirrored, or both, and the lower one taken.
+
+use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run};
+use super::remark::CheckFlag;
+use crate::dem::{Arrangement, Controls, Flow, SceneSpec, Test};
+use crate::layout::{Blocks, Layout};
+use crate::problem::Problem;
+
+/// The arrangements that a layout's check simulates.
+pub(crate) fn arrangements(layout: &Layout) -> Vec<Arrangement> {
+    let repeated = Arrangement::default();
+    match layout.blocks {
+        Blocks::Paper | Blocks::Repeated => vec![repeated],
+        Blocks::Mirrored => vec![Arrangement::Mirrored],
+        // A centred block is its own mirror image.
+        Blocks::Worst if layout.folded() == (0.0, 0.0) => vec![repeated],
+        Blocks::Worst if layout.blocks_overlap().is_some() => vec![repeated],
+        Blocks::Worst => vec![repeated, Arrangement::Mirrored],
+    }
+}
+
+/// An arrangement and its ensemble.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stood {
+    /// How the blocks stood.
+    pub(crate) arrangement: Arrangement,
+    /// Its runs.
+    pub(crate) ensemble: Ensemble,
+}
+
+impl Stood {
+    /// What it is ranked by: the mean force at the first break, or of the peaks where no run broke, N.
+    fn force(&self) -> f64 {
+        let e = &self.ensemble;
+        if e.force.mean > 0.0 { e.force.mean } else { e.peak[0] }
+    }
+}
+
+/// The ensembles of the layout of `spec`, whose own arrangement is not used; the one with the lowest mean
+/// force first. `progress` and `finished` are as those of [`ensemble::run_watched`], with the runs of all
+/// arrangements counted through.
+///
+/// # Errors
+/// What is wrong with the scene or the controls.
+pub(crate) fn run(
+    spec: &SceneSpec,
+    controls: &Controls,
+    plan: &Plan,
+    progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
+    finished: &(dyn Fn(usize, &Run) + Sync),
+) -> Result<Vec<Stood>, Vec<Problem>> {
+    let list = match spec.test {
+        Test::Anchored => arrangements(&spec.layout),
+        Test::Laboratory => vec![Arrangement::default()],
+    };
+    let mut made: Vec<Stood> = Vec::new();
+    for (part, arrangement) in list.iter().copied().enumerate() {
+        let before: usize = made.iter().map(|stood| stood.ensemble.runs.len()).sum();
+        let to_come = list.len() - part - 1;
+        let spec = SceneSpec { arrangement, ..spec.clone() };
+        let tell = |now: EnsembleProgress| {
+            progress(EnsembleProgress {
+                done: before + now.done,
+                planned: before + now.planned * (1 + to_come),
+                run: before + now.run,
+                ..now
+            })
+        };
+        let done = |k: usize, run: &Run| finished(before + k, run);
+        let ensemble = ensemble::run_watched(&spec, controls, plan, &tell, &done)?;
+        let short = ensemble.partial();
+        made.push(Stood { arrangement, ensemble });
+        if short {
+            break;
+        }
+    }
+    // What was cut short is so as a whole: the rest might have been lower. One without a whole run is
+    // no answer beside one that has some.
+    let short = made.iter().any(|stood| stood.ensemble.partial());
+    if short && made.len() > 1 {
+        made.retain(|stood| stood.force() > 0.0);
+    }
+    made.sort_by(|a, b| a.force().total_cmp(&b.force()));
+    if let Some(first) = made.first_mut().filter(|first| short && !first.ensemble.partial()) {
+        first.ensemble.flags.push(CheckFlag::Cancelled);
+    }
+    Ok(made)
+}
+
+/// The word for an arrangement.
+pub(crate) fn word(arrangement: Arrangement) -> String {
+    match arrangement {
+        Arrangement::Repeated(_) => "repeated".into(),
+        Arrangement::Mirrored => "mirrored".into(),
+        Arrangement::Single(cells) => format!("single in {cells} x {cells} cells"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dem::{Fidelity, PLAIN_PHASE};
+    use crate::layout::REFERENCE;
+    use crate::mesh::laws;
+
+    fn spec(blocks: Blocks) -> SceneSpec {
+        let layout = Layout { plate: 0.25, spacing: 1.2, punch: 0.5, ex: 0.1, ey: -0.15, blocks };
+        SceneSpec {
+            layout,
+            test: Test::Anchored,
+            wire: laws::reference(),
+            phase: PLAIN_PHASE,
+            seed: 0,
+            arrangement: Arrangement::default(),
+        }
+    }
+
+    fn quick(blocks: Blocks) -> Vec<Stood> {
+        let controls = Controls { fidelity: Fidelity::Quick, ..Controls::default() };
+        let plan = Plan { runs: Some(2), ..Plan::default() };
+        run(&spec(blocks), &controls, &plan, &|_| Flow::Continue, &|_, _| {}).unwrap()
+    }
+
+    #[test]
+    fn the_worst_is_the_lower_of_the_two_that_are_made_alone() {
+        let (repeated, mirrored) = (quick(Blocks::Repeated), quick(Blocks::Mirrored));
+        let worst = quick(Blocks::Worst);
+        assert_eq!((repeated.len(), mirrored.len(), worst.len()), (1, 1, 2));
+        let force = |s: &Stood| s.ensemble.force.mean;
+        assert!(force(&mirrored[0]) < force(&repeated[0]));
+        let forces: Vec<f64> = worst.iter().map(force).collect();
+        assert_eq!(forces, [force(&mirrored[0]), force(&repeated[0])]);
+        assert_eq!(worst[0].arrangement, Arrangement::Mirrored);
+        let paper = quick(Blocks::Paper);
+        assert_eq!(force(&paper[0]), force(&repeated[0]));
+    }
+
+    #[test]
+    fn the_worst_is_the_repeated_one_where_no_other_is() {
+        let at = |ex: f64, ey: f64| Layout { ex, ey, blocks: Blocks::Worst, ..REFERENCE };
+        assert_eq!(arrangements(&at(0.0, 0.0)), [Arrangement::default()]);
+        // L 3, D 1: they overlap beyond 1 m.
+        assert_eq!(arrangements(&at(1.2, 0.0)), [Arrangement::default()]);
+        assert_eq!(arrangements(&at(0.0, 0.4)).len(), 2);
+    }
+
+    #[test]
+    fn runs_of_both_are_counted_through_and_a_cut_one_is_partial() {
+        let controls = Controls { fidelity: Fidelity::Quick, ..Controls::default() };
+        let plan = Plan { runs: Some(2), ..Plan::default() };
+        let seen = std::sync::Mutex::new(Vec::new());
+        let finished = |k: usize, _: &Run| seen.lock().unwrap().push(k);
+        let spec = spec(Blocks::Worst);
+        // Ended in the second arrangement's first run.
+        let made = run(
+            &spec,
+            &controls,
+            &plan,
+            &|now| if now.run >= 2 { Flow::Cancel } else { Flow::Continue },
+            &finished,
+        )
+        .unwrap();
+        assert_eq!(seen.lock().unwrap()[..2], [0, 1]);
+        assert_eq!(made.len(), 1);
+        assert_eq!(made[0].arrangement, Arrangement::default());
+        assert!(made[0].ensemble.partial() && made[0].ensemble.runs.len() == 2);
+    }
+}
