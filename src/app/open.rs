@@ -68,10 +68,14 @@ impl App {
         let OpenedProject { project, path, note, kept, holder } = opened;
         let said = note.unwrap_or_else(|| format!("opened {}", path.display()));
         // The same file read anew is looked at where it was left.
-        let left = (self.path() == Some(path.as_path())).then(|| self.layout().name.clone());
+        let again = self.path() == Some(path.as_path());
+        let left = again.then(|| (self.layout().name.clone(), self.field()));
         self.editor = Editor::new(project, Some(path), self.settings().units);
-        let same = self.editor.layouts().iter().position(|l| Some(&l.name) == left.as_ref());
-        self.editor.select(same.unwrap_or(0));
+        if let Some((name, field)) = left {
+            let same = self.editor.layouts().iter().position(|l| l.name == name);
+            self.editor.select(same.unwrap_or(0));
+            self.editor.select_field(field);
+        }
         self.files.set_holder(holder);
         self.files.set_changed(false);
         self.files.drop_what_waits();

@@ -5,12 +5,13 @@ use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Alternate screen, cursor hidden, pastes marked as such. The mouse is left to the terminal, so that
-/// its own selection keeps working.
-const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?2004h";
+/// its own selection keeps working. Attributes are reset first: a terminal that is taken again, after a stop
+/// from outside, saves those of the moment for the way back.
+const ENTER: &[u8] = b"\x1b[0m\x1b[?1049h\x1b[?25l\x1b[?2004h";
 
-/// The way back, attributes first. The screen is cleared before the alternate screen is left, because
+/// The way back, attributes first, and once more behind the alternate screen, which brings saved ones. The screen is cleared before the alternate screen is left, because
 /// GNU screen and old consoles may have none and would keep the program's picture.
-const LEAVE: &[u8] = b"\x1b[0m\x1b[?2004l\x1b[H\x1b[2J\x1b[?25h\x1b[?1049l";
+const LEAVE: &[u8] = b"\x1b[0m\x1b[?2004l\x1b[H\x1b[2J\x1b[?25h\x1b[?1049l\x1b[0m";
 
 /// Whether the terminal is ours now.
 static TAKEN: AtomicBool = AtomicBool::new(false);

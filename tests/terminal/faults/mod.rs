@@ -15,4 +15,5 @@ mod pictures;
 mod reload;
 mod resize_in_paste;
 mod split_sequences;
+mod stopped_from_outside;
 mod two_sessions;
