@@ -1,9 +1,7 @@
-//! Random keys, pastes, new sizes and half sequences into the real program.
-//!
-//! `cargo test --test terminal attack::` sends 10,000 bytes of them in a few seconds;
-//! `MESHCAST_ATTACK_KEYS=200000 MESHCAST_ATTACK_SEED=1 cargo test --test terminal attack:: -- --ignored`
-//! as many as wanted, from any beginning.
+//! Random keys, pastes, new sizes and half sequences into the real program: 10,000 bytes of them in a few
+//! seconds, or `MESHCAST_ATTACK_KEYS` many.
 
+use super::{Chance, number, seed};
 use crate::program::with_sample;
 use crate::pty::Pty;
 use rustix::process::Signal;
@@ -201,21 +199,6 @@ const COMMANDS: &[&[u8]] =
 /// What a fault says.
 const FAULTS: &[&[u8]] = &[b"fault in the program", b"was stopped:", b"panicked"];
 
-/// A row of numbers that looks random.
-struct Chance(u64);
-
-impl Chance {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % limit
-    }
-
-    fn of<T: Copy>(&mut self, choices: &[T]) -> T {
-        choices[self.below(choices.len())]
-    }
-}
-
 /// The next thing to send; nothing for a new size.
 fn next(chance: &mut Chance) -> Vec<u8> {
     let bytes = match chance.below(100) {
@@ -326,13 +309,9 @@ fn judge(pty: &Pty, path: &Path, seed: u64) {
     assert!(text.trim_end().ends_with(')'), "seed {seed}: the project is torn");
 }
 
-fn number(name: &str, default: usize) -> usize {
-    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
-}
-
 /// Sessions until so many bytes were sent.
 fn attack(keys: usize) {
-    let seed = number("MESHCAST_ATTACK_SEED", 1) as u64;
+    let seed = seed();
     let (mut sent, mut sessions) = (0, 0);
     while sent < keys {
         sent += session(seed.wrapping_mul(7_919).wrapping_add(sessions));
