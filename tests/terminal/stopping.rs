@@ -82,7 +82,7 @@ fn stopped_and_continued_from_outside_it_draws_anew() {
     pty.signal(Signal::CONT);
     pty.wait_for("back again");
     pty.settle();
-    assert!(pty.received()[before..].starts_with(b"\x1b[?1049h"));
+    assert!(pty.received()[before..].starts_with(b"\x1b[0m\x1b[?1049h"));
     pty.wait_for("row 23");
     assert!(!pty.is_cooked());
 }
