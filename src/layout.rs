@@ -109,11 +109,20 @@ impl Layout {
                 } else {
                     format!("{words} is too large")
                 };
-                problems.push(
-                    Problem::new(field, why)
-                        .value(length_value(value))
-                        .allowed(format!("above 0, below {limit_words}{} m", shortest(limit))),
-                );
+                let problem = Problem::new(field, why)
+                    .value(length_value(value))
+                    .allowed(format!("above 0, below {limit_words}{} m", shortest(limit)));
+                // A bare number is metres; what makes sense as millimetres was most likely meant so.
+                let millimetres = value >= 20.0 && value / 1000.0 < limit;
+                problems.push(if millimetres {
+                    problem.advice(format!(
+                        "is {0} mm meant? write {1} or \"{0} mm\"",
+                        shortest(value).trim_end_matches(".0"),
+                        shortest(value / 1000.0)
+                    ))
+                } else {
+                    problem
+                });
             }
         };
         let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;

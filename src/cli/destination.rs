@@ -56,7 +56,9 @@ impl Destination {
         self.check_source(source)?;
         let overwrite = if self.force { Overwrite::Yes } else { Overwrite::No };
         write_file(&path, &text, overwrite).map_err(fault)?;
-        Ok(Output { result: format!("{}\n", path.display()), notes, ..Output::default() })
+        // The whole path, ready to be copied from another machine.
+        let whole = std::path::absolute(&path).unwrap_or(path);
+        Ok(Output { result: format!("{}\n", whole.display()), notes, ..Output::default() })
     }
 }
 

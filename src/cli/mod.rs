@@ -101,6 +101,13 @@ enum Command {
     Bench(lab::bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(lab::validate::ValidateArgs),
+    /// Completions of a shell, to standard output.
+    ///
+    /// For bash: meshcast completions bash > ~/.local/share/bash-completion/completions/meshcast
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
 }
 
 /// Reads the command line (the program's name first), does what it says and returns the exit code.
@@ -145,6 +152,11 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Bench(args) => lab::bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => lab::validate::run(&args),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Root::command(), "meshcast", &mut script);
+            output::result(String::from_utf8_lossy(&script).into_owned())
+        }
     }
 }
 

@@ -86,6 +86,14 @@ pub enum Statistic {
 }
 
 impl Statistic {
+    /// A short word for a narrow column: `mean` or `char`.
+    pub(crate) fn short(self) -> &'static str {
+        match self {
+            Statistic::Mean => "mean",
+            Statistic::Characteristic => "char",
+        }
+    }
+
     /// The word for people: `mean` or `characteristic`.
     pub(crate) fn word(self) -> &'static str {
         match self {

@@ -110,7 +110,17 @@ pub(crate) fn unknown_field(holder: &str, path: &str, key: &str, known: &[&str])
 
 /// A field that cannot be left out and is.
 pub(crate) fn missing_field(field: &str) -> Problem {
-    Problem::new(field, "this field is missing").advice(format!("add {field}: {}", example(field)))
+    let problem = Problem::new(field, "this field is missing");
+    match field {
+        // Nobody should copy a number or a word that stands in no record.
+        "force" | "deflection" => problem.advice(format!(
+            "add {field}: and the value of the record; one that is not known cannot be made up"
+        )),
+        "statistic" => problem.advice(
+            "add statistic: Mean or statistic: Characteristic, as the record says; a maker's declared value is mostly characteristic",
+        ),
+        _ => problem.advice(format!("add {field}: {}", example(field))),
+    }
 }
 
 /// A field that stands there already.

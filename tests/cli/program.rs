@@ -61,3 +61,25 @@ fn flags_of_the_screen_are_taken_by_every_command_and_change_no_json() {
     assert_eq!(good(&before), plain);
     assert_eq!(good(&behind), plain);
 }
+
+#[test]
+fn every_shell_gets_completions_of_every_command() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = super::good(&["completions", shell]);
+        for word in ["forecast", "sensitivity", "completions", "gamma-load"] {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+}
+
+#[test]
+fn a_written_file_is_named_by_its_whole_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_keep, path) = super::file("road.ron", super::PROJECT);
+    let mut command =
+        super::command(&["export", super::shown(&path), "--what", "table", "-o", "t.csv"]);
+    let ran = super::ran(command.current_dir(&folder).output().unwrap());
+    let whole = folder.path().join("t.csv");
+    assert_eq!(ran.out.trim_end(), whole.display().to_string());
+    assert!(whole.exists());
+}

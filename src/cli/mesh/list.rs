@@ -19,17 +19,17 @@ pub(crate) fn run(format: Format) -> CommandEnd {
     };
     let (id, name) = (widest(|m| &m.id, 2), widest(|m| m.title(), 4));
     let mut out = format!(
-        "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<14}  remarks\n",
-        "id", "name", "F_l", "delta_l", "statistic"
+        "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<4}  remarks\n",
+        "id", "name", "F_l", "delta_l", ""
     );
     for mesh in meshes {
         let lab = &mesh.laboratory;
         let mut remarks = Vec::new();
         if mesh.reference {
-            remarks.push("reference of the method");
+            remarks.push("reference");
         }
         if mesh.example {
-            remarks.push("example, no product");
+            remarks.push("example");
         }
         if mesh.ratios.is_some() {
             remarks.push("own ratios");
@@ -38,12 +38,12 @@ pub(crate) fn run(format: Format) -> CommandEnd {
             remarks.push("forecast only");
         }
         let line = format!(
-            "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<14}  {}",
+            "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<4}  {}",
             mesh.id,
             mesh.title(),
             force_text(lab.force),
             length_text(lab.deflection, LengthUnit::Metre),
-            lab.statistic.word(),
+            lab.statistic.short(),
             remarks.join(", ")
         );
         // Writing to a string cannot fail.

@@ -82,6 +82,11 @@ impl Parser<'_> {
                 ),
             );
         }
+        if shown == "=" && previous.key.is_none() {
+            return self
+                .error(self.at, format!("a colon is missing behind {value}"))
+                .with_advice(format!("write {value}: and not {value} ="));
+        }
         let behind = previous.key.as_ref().map_or("this value", |k| k.0.as_str());
         self.error(previous.value.span.end, format!("a comma is missing behind {behind}"))
             .with_advice("fields and list items are separated by commas")

@@ -204,7 +204,14 @@ impl<'t> Parser<'t> {
             }
             _ => {
                 let shown = self.word_at(start).to_string();
-                return Err(self.error(start, "a value is expected here").with_value(shown));
+                let error = self.error(start, "a value is expected here").with_value(shown.clone());
+                let curly =
+                    shown.starts_with(['\u{201c}', '\u{201d}', '\u{201e}', '\u{ab}', '\u{bb}']);
+                return Err(if curly {
+                    error.with_advice("texts stand in straight quotes: \"bench 2\"")
+                } else {
+                    error
+                });
             }
         };
         Ok(Node { span: Span::new(start, self.at), kind })
