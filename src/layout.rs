@@ -15,19 +15,22 @@ pub enum Blocks {
     Repeated,
     /// Blocks of neighbouring cells face each other across the line of anchors between them.
     Mirrored,
-    /// The lower of the two, where the mirrored ones do not overlap.
+    /// One block on a large mesh: as many cells around it as change nothing any more.
+    Single,
+    /// The lower of repeated and mirrored ones, where these do not overlap.
     Worst,
 }
 
 impl Choice for Blocks {
     const ALL: &'static [Blocks] =
-        &[Blocks::Paper, Blocks::Repeated, Blocks::Mirrored, Blocks::Worst];
+        &[Blocks::Paper, Blocks::Repeated, Blocks::Mirrored, Blocks::Single, Blocks::Worst];
 
     fn word(self) -> &'static str {
         match self {
             Blocks::Paper => "paper",
             Blocks::Repeated => "repeated",
             Blocks::Mirrored => "mirrored",
+            Blocks::Single => "single",
             Blocks::Worst => "worst",
         }
     }
@@ -176,7 +179,7 @@ impl Layout {
     /// Whether its blocks are drawn facing their neighbours: mirrored, or the worst where they can be.
     fn facing(&self) -> bool {
         match self.blocks {
-            Blocks::Paper | Blocks::Repeated => false,
+            Blocks::Paper | Blocks::Repeated | Blocks::Single => false,
             Blocks::Mirrored => true,
             Blocks::Worst => self.blocks_overlap().is_none(),
         }

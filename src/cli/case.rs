@@ -88,7 +88,7 @@ impl Source {
 pub(crate) struct Geometry {
     #[command(flatten)]
     values: InputFlags<false>,
-    /// How the blocks of other cells stand: as the paper had it, or the lower of repeated and mirrored.
+    /// How the blocks of other cells stand: as the paper had it, or (worst) the lower of repeated and mirrored; single: there are none.
     #[arg(long, value_name = "BLOCKS", value_parser = one_of(Blocks::ALL))]
     blocks: Option<Blocks>,
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.

@@ -199,17 +199,18 @@ fn allow(cells: [usize; 2]) -> Result<(), Vec<Problem>> {
     ])
 }
 
+/// What is said of mirrored blocks that would overlap.
+pub(crate) const OVERLAP: &str = "mirrored blocks of neighbouring cells would overlap";
+
 fn overlap(layout: &Layout) -> Result<(), Vec<Problem>> {
     let Some(field) = layout.blocks_overlap() else { return Ok(()) };
     let value = if field == "ex" { layout.ex } else { layout.ey };
-    Err(vec![
-        Problem::new(field, "mirrored blocks of neighbouring cells would overlap")
-            .value(format!("{} m", shortest(value)))
-            .allowed(format!(
-                "within (L - D)/2 = {} m, or half the spacing exactly: one block on the line",
-                shortest((layout.spacing - layout.punch) / 2.0)
-            )),
-    ])
+    Err(vec![Problem::new(field, OVERLAP).value(format!("{} m", shortest(value))).allowed(
+        format!(
+            "within (L - D)/2 = {} m, or half the spacing exactly: one block on the line",
+            shortest((layout.spacing - layout.punch) / 2.0)
+        ),
+    )])
 }
 
 #[cfg(test)]

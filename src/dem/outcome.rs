@@ -152,6 +152,20 @@ impl RunOutcome {
         self.anchors.iter().copied().max_by(|a, b| a.size().total_cmp(&b.size()))
     }
 
+    /// How many anchors, the most loaded first, carry this part of the force out of the plane at the first
+    /// break; 0 without a break.
+    pub fn anchors_carrying(&self, part: f64) -> usize {
+        let mut forces: Vec<f64> = self.anchors.iter().map(|a| a.force[2]).collect();
+        forces.sort_by(|a, b| b.total_cmp(a));
+        let goal = part * forces.iter().sum::<f64>();
+        let mut carried = 0.0;
+        let enough = forces.iter().position(|force| {
+            carried += force;
+            carried >= goal
+        });
+        enough.map_or(0, |at| at + 1)
+    }
+
     /// Whether the first break came out of nowhere, as those of an unstable step do.
     pub fn sudden(&self) -> bool {
         let q = &self.quality;

@@ -99,7 +99,7 @@ const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, 
     //   D       diameter of the punching block, published range 0.1 to 2.5 m
     // These may be left out:
     //   ex, ey  offset of the block across and along the twists, -L/2 to L/2, default 0 m
-    //   blocks  how those of other cells stand: paper (default), repeated, mirrored or worst
+    //   blocks  how those of other cells stand: paper (default), repeated, mirrored, single, worst
     //   mesh    identifier, default the first of `meshes`
     //   branch  published (default) or conservative
     //   design_force          kN, above 0; or

@@ -2,7 +2,7 @@
 
 use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run};
 use super::remark::CheckFlag;
-use crate::dem::{Arrangement, Controls, Flow, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::layout::{Blocks, Layout};
 use crate::problem::Problem;
 
@@ -12,6 +12,8 @@ pub(crate) fn arrangements(layout: &Layout) -> Vec<Arrangement> {
     match layout.blocks {
         Blocks::Paper | Blocks::Repeated => vec![repeated],
         Blocks::Mirrored => vec![Arrangement::Mirrored],
+        // How many cells is found by running it.
+        Blocks::Single => vec![Arrangement::Single(FIELDS[0])],
         // A centred block is its own mirror image.
         Blocks::Worst if layout.folded() == (0.0, 0.0) => vec![repeated],
         Blocks::Worst if layout.blocks_overlap().is_some() => vec![repeated],
@@ -24,11 +26,30 @@ pub(crate) fn arrangements(layout: &Layout) -> Vec<Arrangement> {
 pub(crate) struct Stood {
     /// How the blocks stood.
     pub(crate) arrangement: Arrangement,
+    /// Of a single block whose field is still too small: by how much the last larger one changed force or
+    /// deflection, as a part.
+    pub(crate) unsettled: Option<f64>,
     /// Its runs.
     pub(crate) ensemble: Ensemble,
 }
 
+/// Cells in a direction around a single block, as they are tried.
+const FIELDS: [usize; 3] = [3, 5, 7];
+/// Quick runs of each, at the same alignments and slack.
+const TRIALS: usize = 4;
+/// Change of force and deflection below which more cells change nothing.
+const SETTLED: f64 = 0.01;
+
 impl Stood {
+    /// How its blocks stood, in words.
+    pub(crate) fn words(&self) -> String {
+        let Arrangement::Single(n) = self.arrangement else { return word(self.arrangement).into() };
+        let unsettled = self.unsettled.map_or(String::new(), |change| {
+            format!(", not converged, last change {:.1} %", 100.0 * change)
+        });
+        format!("single in {n} x {n} cells{unsettled}")
+    }
+
     /// What it is ranked by: the mean force at the first break, or of the peaks where no run broke, N.
     fn force(&self) -> f64 {
         let e = &self.ensemble;
@@ -49,6 +70,9 @@ pub(crate) fn run(
     progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
     finished: &(dyn Fn(usize, &Run) + Sync),
 ) -> Result<Vec<Stood>, Vec<Problem>> {
+    if spec.test == Test::Anchored && spec.layout.blocks == Blocks::Single {
+        return single(spec, controls, plan, progress, finished).map(|stood| vec![stood]);
+    }
     let list = match spec.test {
         Test::Anchored => arrangements(&spec.layout),
         Test::Laboratory => vec![Arrangement::default()],
@@ -69,7 +93,7 @@ pub(crate) fn run(
         let done = |k: usize, run: &Run| finished(before + k, run);
         let ensemble = ensemble::run_watched(&spec, controls, plan, &tell, &done)?;
         let short = ensemble.partial();
-        made.push(Stood { arrangement, ensemble });
+        made.push(Stood { arrangement, unsettled: None, ensemble });
         if short {
             break;
         }
@@ -87,19 +111,56 @@ pub(crate) fn run(
     Ok(made)
 }
 
+/// One block in the smallest field that a larger one confirms, or in the largest.
+fn single(
+    spec: &SceneSpec,
+    controls: &Controls,
+    plan: &Plan,
+    progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
+    finished: &(dyn Fn(usize, &Run) + Sync),
+) -> Result<Stood, Vec<Problem>> {
+    let in_field = |n| SceneSpec { arrangement: Arrangement::Single(n), ..spec.clone() };
+    let quick = Controls { fidelity: Fidelity::Quick, after_break: 0.0, ..controls.clone() };
+    let trials = Plan { runs: Some(TRIALS), ..plan.clone() };
+    let mut before: Option<(usize, [f64; 2])> = None;
+    let (mut cells, mut unsettled) = (FIELDS[0], None);
+    for n in FIELDS {
+        let ensemble = ensemble::run(&in_field(n), &quick, &trials, progress)?;
+        let now = [ensemble.force.mean, ensemble.deflection.mean];
+        if ensemble.partial() {
+            let ensemble = Ensemble { runs: Vec::new(), ..ensemble };
+            return Ok(Stood { arrangement: Arrangement::Single(n), unsettled: None, ensemble });
+        }
+        if now[0] <= 0.0 {
+            break; // The block slips through whatever is around it.
+        }
+        if let Some((smaller, was)) = before {
+            let change = (0..2).map(|k| (now[k] / was[k] - 1.0).abs()).fold(0.0, f64::max);
+            (cells, unsettled) = (n, Some(change));
+            if change < SETTLED {
+                (cells, unsettled) = (smaller, None);
+                break;
+            }
+        }
+        before = Some((n, now));
+    }
+    let ensemble = ensemble::run_watched(&in_field(cells), controls, plan, progress, finished)?;
+    Ok(Stood { arrangement: Arrangement::Single(cells), unsettled, ensemble })
+}
+
 /// The word for an arrangement.
-pub(crate) fn word(arrangement: Arrangement) -> String {
+pub(crate) fn word(arrangement: Arrangement) -> &'static str {
     match arrangement {
-        Arrangement::Repeated(_) => "repeated".into(),
-        Arrangement::Mirrored => "mirrored".into(),
-        Arrangement::Single(cells) => format!("single in {cells} x {cells} cells"),
+        Arrangement::Repeated(_) => "repeated",
+        Arrangement::Mirrored => "mirrored",
+        Arrangement::Single(_) => "single",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::{Fidelity, PLAIN_PHASE};
+    use crate::dem::PLAIN_PHASE;
     use crate::layout::REFERENCE;
     use crate::mesh::laws;
 
@@ -133,6 +194,28 @@ mod tests {
         assert_eq!(worst[0].arrangement, Arrangement::Mirrored);
         let paper = quick(Blocks::Paper);
         assert_eq!(force(&paper[0]), force(&repeated[0]));
+    }
+
+    #[test]
+    fn a_single_block_loads_few_anchors_and_has_as_many_cells_as_it_needs() {
+        let found = quick(Blocks::Single).remove(0);
+        let Arrangement::Single(n) = found.arrangement else { panic!("{:?}", found.arrangement) };
+        let outcome = &found.ensemble.runs[0].outcome;
+        assert!(FIELDS.contains(&n) && outcome.anchors.len() == n * n, "{}", found.words());
+        assert_eq!(found.unsettled.is_some(), found.words().contains("not converged"));
+        // Nearly all of a block's force goes to the anchors around its cell.
+        let few = outcome.anchors_carrying(0.9);
+        assert!((2..=n * n / 2).contains(&few), "{few} of {}", n * n);
+        let carried: f64 = outcome.anchors.iter().map(|a| a.force[2]).sum();
+        let force = outcome.first_break.unwrap().force;
+        assert!((carried / force - 1.0).abs() < 0.05, "{carried} {force}");
+        // By hand: of 5, 3 and 1 the first two are 8 of 9.
+        let mut by_hand = outcome.clone();
+        by_hand.anchors.truncate(3);
+        for (anchor, force) in by_hand.anchors.iter_mut().zip([3.0, 5.0, 1.0]) {
+            anchor.force = [7.0, 7.0, force];
+        }
+        assert_eq!([0.5, 0.85, 0.9].map(|part| by_hand.anchors_carrying(part)), [1, 2, 3]);
     }
 
     #[test]

@@ -111,6 +111,9 @@ fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
             });
             let own = (ix, iy) == (0, 0);
             let faint = DotPen { ink: Ink::Overlay, ascii: Some('.'), ..outline };
+            if !own && layout.blocks == Blocks::Single {
+                continue;
+            }
             grid.line(circle, if own || layout.blocks == Blocks::Paper { outline } else { faint });
             let (x, y) = view.dot(cx, cy);
             grid.dot(x.floor() as i32, y.floor() as i32, DotPen { ascii: Some('+'), ..outline });

@@ -80,7 +80,7 @@ pub(crate) fn all() -> Vec<Case> {
 fn slow(table: &mut Table) {
     // Of the bench only the form without a plot, because a plot is made of times.
     table.add("bench-A.json", "bench --scene A --format json");
-    table.each(&["text", "json"], "validate-dem", "validate --dem --fidelity quick --threads 1");
+    table.each(&["text"], "validate-dem", "validate --dem --fidelity quick --threads 1");
     let calibrate = "calibrate --force 73.3 --deflection 0.6 --runs 1 --fidelity quick --threads 1";
     table.each(&["text", "json"], "calibrate", calibrate);
 }

@@ -220,6 +220,7 @@ impl Editor {
             Blocks::Paper => "blocks as the paper has them: its map, checked as repeated ones",
             Blocks::Repeated => "repeated: the same block in every cell",
             Blocks::Mirrored => "mirrored: blocks face their neighbours across the anchor lines",
+            Blocks::Single => "single: one block on a large mesh, in as many cells as it needs",
             Blocks::Worst => "worst: the check takes the lower of repeated and mirrored",
         };
         let overlap = blocks == Blocks::Mirrored && self.layout().layout.blocks_overlap().is_some();

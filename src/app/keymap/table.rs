@@ -113,7 +113,7 @@ const MAIN: &[Binding] = &[
     k(A::MoveDown,       &[c('J')],                       "",            "move this layout down the list"),
     k(A::Note,           &[c('n')],                       "note",        "edit this layout's note"),
     k(A::Branch,         &[c('b')],                       "branch",      "branch of A.1-A.2: as published, or the lower force (conservative)"),
-    k(A::Blocks,         &[c('p')],                       "blocks",      "how the blocks of other cells stand: paper, repeated, mirrored, or the worst"),
+    k(A::Blocks,         &[c('p')],                       "blocks",      "how the blocks of other cells stand: paper, repeated, mirrored, single, or the worst"),
     k(A::Units,          &[c('t')],                       "units",       "lengths in m or mm"),
     k(A::Basis,          &[c('B')],                       "",            "verdicts by mean or by characteristic values, for the project"),
     k(A::Redo,           &[c('U'), ctrl('r'), ctrl('y')], "redo",        "redo"),

@@ -43,8 +43,9 @@ struct Checked {
     plan: Plan,
     /// The ensemble of the arrangement that decides.
     ensemble: Ensemble,
-    /// That arrangement.
+    /// That arrangement, and in words.
     arrangement: Arrangement,
+    words: String,
     /// What else was simulated, with higher forces.
     others: Vec<Stood>,
     /// Factors by which the net was stretched in x and y to meet the panel.
@@ -70,6 +71,12 @@ impl Checked {
     fn anchor(&self) -> Option<WorstAnchor> {
         let counted: Vec<&Run> = self.ensemble.runs.iter().filter(|r| counts(r)).collect();
         WorstAnchor::of(&anchors(&counted))
+    }
+
+    /// How many anchors carry 90 % of the force, of each run with a break.
+    fn carrying(&self) -> Vec<usize> {
+        let broke = self.ensemble.runs.iter().filter(|r| r.outcome.first_break.is_some());
+        broke.map(|run| run.outcome.anchors_carrying(0.9)).collect()
     }
 
     /// How many runs are in the band and the mean peak: all that came to an end of their own.
@@ -226,7 +233,8 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
         watch.begin(&label, part, parts, guess + controls.after_break);
         let tell = |now| watch.tell(now);
         let mut made = blocks::run(&spec, &controls, &plan, &tell, &|_, _| {})?.into_iter();
-        let Some(Stood { arrangement, ensemble }) = made.next() else { continue };
+        let Some(stood) = made.next() else { continue };
+        let (words, arrangement, ensemble) = (stood.words(), stood.arrangement, stood.ensemble);
         let fingerprint = of_ensemble(&spec, &controls, &plan);
         let fidelity = controls.fidelity;
         let mut one = Checked {
@@ -237,6 +245,7 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             plan,
             ensemble,
             arrangement,
+            words,
             others: made.collect(),
             stretch,
             forecast,

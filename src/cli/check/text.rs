@@ -161,7 +161,7 @@ fn blocks(page: &mut Page, c: &Checked) {
     }
     let mut text = match c.arrangement {
         Arrangement::Mirrored => "mirrored, facing their neighbours across the anchor lines".into(),
-        other => word(other),
+        _ => c.words.clone(),
     };
     for other in &c.others {
         let e = &other.ensemble;
@@ -191,6 +191,15 @@ fn blocks(page: &mut Page, c: &Checked) {
                 "{normal} kN out of the plane and {in_plane} kN in it, means; largest {largest} kN"
             ),
         );
+        let carrying: Vec<usize> = c.carrying();
+        if let (Arrangement::Single(_), Some(least), Some(most)) =
+            (c.arrangement, carrying.iter().min(), carrying.iter().max())
+        {
+            page.line(
+                "anchors",
+                format!("90 % of the force is carried by {least} to {most} of them"),
+            );
+        }
     }
 }
 

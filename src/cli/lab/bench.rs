@@ -6,6 +6,7 @@ use crate::cli::watch::Watch;
 use crate::dem::Flow;
 use crate::export::svg::drawing::{Anchor, Drawing, Stroke};
 use crate::fingerprint::Fingerprinter;
+use crate::lab::arrangements::{self, ArrangementTable};
 use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::lab::convergence::{self, Sizes, Tables};
 use crate::project::{SaveError, create};
@@ -38,6 +39,10 @@ pub(crate) struct BenchArgs {
     /// Cost against the panel's size from 2 to 12 m instead, with the fitted exponent of nodes.
     #[arg(long, conflicts_with_all = ["svg", "scene", "convergence"])]
     size: bool,
+    /// Repeated, mirrored and single blocks of the paper's tests instead: force per block, deflection, what the
+    /// worst anchor carries, cost.
+    #[arg(long, conflicts_with_all = ["svg", "scene", "convergence", "size"])]
+    arrangements: bool,
     /// Draws the plot to a new file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -76,6 +81,14 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
             Format::Json => whole("bench --size", &sizes)?,
         };
         return Ok(Output { result, interrupted: sizes.part, ..Output::default() });
+    }
+    if args.arrangements {
+        let table = arrangements::table(listener)?;
+        let result = match args.format {
+            Format::Text => arrangements_text(&table),
+            Format::Json => whole("bench --arrangements", &table)?,
+        };
+        return Ok(Output { result, interrupted: table.part, ..Output::default() });
     }
     let Table { rows, known, part } = table(&names, listener)?;
     if let (Some(path), false) = (&args.svg, part) {
@@ -321,6 +334,35 @@ fn convergence_text(tables: &Tables) -> String {
 }
 
 /// Cost against size as a text.
+/// The table of how blocks stand.
+fn arrangements_text(table: &ArrangementTable) -> String {
+    let mut out = String::from(
+        "Blocks as they may stand: quick runs at the same alignments, one thread; first break, force per\n\
+         block; worst anchor over that force, out of the plane and in it; most anchors that carry 90 %\n\n\
+         scene      F kN  s.e.  delta m   s.e.  anchor       90 %   ms   ns  blocks\n",
+    );
+    for r in &table.rows {
+        let anchor = r.anchor.map_or("-".into(), |[n, p]| format!("{n:.2} {p:.2}"));
+        let _ = writeln!(
+            out,
+            "{:<9} {:>5.1} {:>5.2}   {:>6.3} {:>6.3}  {anchor:<11} {:>5} {:>4.0} {:>4.2}  {}",
+            r.scene,
+            r.force_kn[0],
+            r.force_kn[1],
+            r.delta_m[0],
+            r.delta_m[1],
+            r.carrying,
+            r.ms,
+            r.ns,
+            r.blocks
+        );
+    }
+    for missing in &table.missing {
+        let _ = writeln!(out, "{missing}");
+    }
+    out
+}
+
 fn size_text(sizes: &Sizes) -> String {
     let mut out =
         String::from("punch          L, m   nodes   steps   time, ms  ns per node and step\n");

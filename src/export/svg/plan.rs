@@ -2,7 +2,7 @@
 
 use super::drawing::{Anchor, Drawing, Frame, Stroke, TEXT, text_width};
 use crate::export::ExportedLayout;
-use crate::layout::Layout;
+use crate::layout::{Blocks, Layout};
 use crate::units::{LengthUnit, length_entry};
 use std::f64::consts::TAU;
 
@@ -88,6 +88,9 @@ fn punches(layout: &Layout, view: &View, drawing: &mut Drawing) {
                 })
                 .collect();
             let own = (ix, iy) == (0, 0);
+            if !own && layout.blocks == Blocks::Single {
+                continue;
+            }
             let stroke = if own {
                 Stroke::solid("#8a2b00", 2.2)
             } else {

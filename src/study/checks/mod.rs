@@ -23,6 +23,7 @@ use super::result::make::{self, wires};
 use super::result::{CheckResult, Wanted};
 use crate::case::Case;
 use crate::dem::Flow;
+use crate::dem::field::OVERLAP;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::Values;
 use crate::forecast::design::Question;
@@ -47,10 +48,11 @@ pub enum NoCheck {
 }
 
 impl NoCheck {
-    /// Stable identifier for programs: `laboratory`, `impossible` or `not_made`.
+    /// Stable identifier for programs: `laboratory`, `blocks_overlap`, `impossible` or `not_made`.
     pub(crate) fn code(&self) -> &'static str {
         match self {
             NoCheck::Laboratory => "laboratory",
+            NoCheck::Impossible(problems) if overlap(problems) => "blocks_overlap",
             NoCheck::Impossible(_) => "impossible",
             NoCheck::NotMade => "not_made",
         }
@@ -60,6 +62,7 @@ impl NoCheck {
     pub(crate) fn short(&self) -> &'static str {
         match self {
             NoCheck::Laboratory => "none",
+            NoCheck::Impossible(problems) if overlap(problems) => "overlap",
             NoCheck::Impossible(_) => "not possible",
             NoCheck::NotMade => "not made",
         }
@@ -75,6 +78,11 @@ impl NoCheck {
             NoCheck::NotMade => "ended before a run of it was whole".into(),
         }
     }
+}
+
+/// Whether a layout cannot be checked because its mirrored blocks overlap.
+fn overlap(problems: &[Problem]) -> bool {
+    problems.iter().any(|problem| problem.message == OVERLAP)
 }
 
 /// A case's check, or why there is none.

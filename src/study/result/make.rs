@@ -8,7 +8,7 @@ use crate::layout::{Blocks, Layout};
 use crate::mesh::MeshType;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
-use crate::study::blocks::{self, Stood};
+use crate::study::blocks;
 use crate::study::ensemble::{EnsembleProgress, Run};
 use crate::study::inputs::of_ensemble;
 
@@ -80,15 +80,16 @@ pub fn make(
     let progress = |now: EnsembleProgress| tell(Told::Progress(now));
     let made = blocks::run(&spec, &controls, &plan, &progress, &finished)?;
     // There is one arrangement at least: the list that is run is never empty.
-    let Some(Stood { arrangement, ensemble }) = made.into_iter().next() else {
+    let Some(stood) = made.into_iter().next() else {
         return Err(vec![Problem::new("blocks", "there is nothing to simulate")]);
     };
+    let (words, ensemble) = (stood.words(), stood.ensemble);
     let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
     let relief = first.map(|net| Relief::from_net(net, layout.spacing));
     let inputs = of_ensemble(&spec, &controls, &plan);
     let mut result = CheckResult::from_ensemble(&ensemble, wanted, inputs);
     let plain = matches!(layout.blocks, Blocks::Paper | Blocks::Repeated);
-    result.field.arrangement = (!plain).then(|| blocks::word(arrangement));
+    result.field.arrangement = (!plain).then_some(words);
     Ok(Made { result, relief })
 }
 

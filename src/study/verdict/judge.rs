@@ -5,6 +5,7 @@ use super::{Aspect, Basis, Checked, Judge, Simulated, State, Verdict, VerdictRem
 use crate::case::{Case, CasePoint, CaseValue, Derived, NoValue};
 use crate::forecast::warning::extrapolated;
 use crate::forecast::{Field, Forecast, NoField};
+use crate::layout::Blocks;
 use crate::problem::Problem;
 
 /// Standard deviations from the mean to the 5 % point of a normal distribution.
@@ -198,6 +199,7 @@ fn anchor_share(case: &Case, check: Option<&CheckResult>) -> (f64, Judge) {
     match (check.and_then(CheckResult::anchor_share), case.layout.facing_bound()) {
         (Some(share), _) => (share, Judge::Check),
         (None, Some(bound)) => (bound, Judge::Estimate),
+        (None, None) if case.layout.blocks == Blocks::Single => (1.0, Judge::Estimate),
         (None, None) => (1.0, Judge::Statics),
     }
 }
