@@ -233,7 +233,7 @@ impl App {
     /// Another session holds the file, or none does.
     pub(super) fn held(&mut self, holder: Option<Holder>) {
         let said = match &holder {
-            Some(holder) => Status::error(format!("{}; {READS_ONLY}", holder.text())),
+            Some(holder) => Status::error(format!("held by {}; {READS_ONLY}", holder.text())),
             None => Status::info("the file is this session's now"),
         };
         if self.files.set_holder(holder.clone()) != holder {

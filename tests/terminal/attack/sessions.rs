@@ -42,17 +42,27 @@ fn start(path: &Path, name: &str, down: usize) -> Pty {
     let launch = Launch::meshcast().env("MESHCAST_DATA_DIR", data).env("USER", name);
     let pty = launch.size(100, 30).arg(path).start();
     pty.wait_for("bench 1");
-    pty.settle();
+    quiet(&pty);
     // Edits that a killed session left: this attack is about what was saved.
     while pty.dump().contains("was cut off") {
         pty.send("d");
-        pty.settle();
+        quiet(&pty);
     }
     pty.send(&"\x1b[B".repeat(down));
     pty
 }
 
+/// Waits until what was sent is drawn: a terminal may be quiet because it has not begun.
+fn quiet(pty: &Pty) {
+    sleep(Duration::from_millis(150));
+    pty.settle();
+}
+
 impl User {
+    fn pause(&self) {
+        quiet(&self.pty);
+    }
+
     fn edit(&mut self, chance: &mut Chance) {
         self.typed = loop {
             let value = self.least + chance.below(140);
@@ -70,11 +80,12 @@ impl User {
 
     fn outcome(&self) -> Outcome {
         let found = |screen: &str| {
-            let bottom = screen.lines().last().unwrap_or("");
+            // What is said of a save may be said over by who has taken the file meanwhile.
+            let edited = screen.lines().next().is_some_and(|title| title.contains('*'));
             match () {
                 () if screen.contains("── File held by another") => Some(Outcome::Held),
                 () if screen.contains("── File changed on disk") => Some(Outcome::Changed),
-                () if bottom.contains(" saved /") => Some(Outcome::Saved),
+                () if !edited => Some(Outcome::Saved),
                 () => None,
             }
         };
@@ -92,16 +103,16 @@ impl User {
                 }
                 Outcome::Held if chance.below(2) == 0 => {
                     self.pty.send("t");
-                    self.pty.settle();
+                    self.pause();
                 }
                 Outcome::Held => {
                     self.pty.send("\x1b");
-                    self.pty.settle();
+                    self.pause();
                     return;
                 }
                 Outcome::Changed => {
                     self.pty.send("r");
-                    self.pty.settle();
+                    self.pause();
                     return;
                 }
             }
@@ -117,10 +128,10 @@ impl User {
     /// Reads the file anew, letting its own edits go.
     fn reload(&mut self) {
         self.pty.send(":reload\r");
-        self.pty.settle();
+        self.pause();
         if self.pty.dump().contains("lets them go") {
             self.pty.send("d");
-            self.pty.settle();
+            self.pause();
         }
     }
 
@@ -150,7 +161,7 @@ fn attack(steps: usize) {
             1 => users[who].reload(),
             2 => {
                 users[who].pty.send(":own\r");
-                users[who].pty.settle();
+                users[who].pause();
             }
             3..=5 => {
                 for user in &mut users {

@@ -5,6 +5,7 @@ mod aborts;
 mod bad_start;
 mod bursts;
 mod cursor;
+mod disk_faults;
 mod empty_project;
 mod home;
 mod late_answers;
