@@ -258,10 +258,15 @@ impl Screen {
         &self.under_help
     }
 
-    /// Moves the mark of a list of so many entries round and round.
+    /// Moves the mark of a list of so many entries round and round, and as far as the ends with more lines
+    /// than there are.
     pub(super) fn turn(&mut self, lines: isize, count: usize) {
         if let Mode::Export { index } | Mode::MeshPicker { index } = &mut self.mode {
-            *index = (*index as isize + lines).rem_euclid(count as isize) as usize;
+            *index = match (lines.unsigned_abs() > count, lines > 0) {
+                (true, true) => count.saturating_sub(1),
+                (true, false) => 0,
+                (false, _) => (*index as isize + lines).rem_euclid(count.max(1) as isize) as usize,
+            };
         }
     }
 

@@ -508,3 +508,17 @@ fn too_large_a_deflection_is_said_in_answer_details_and_comparison() {
         assert!(!good.contains("FAILS") && good.contains("PASSES"), "\n{good}");
     }
 }
+
+/// Home and End in the lists that go round overflowed.
+#[test]
+fn lists_that_go_round_have_ends_too() {
+    let mut app = app();
+    press(&mut app, "e<End>");
+    assert!(matches!(app.mode(), Mode::Export { index: 6.. }), "{:?}", app.mode());
+    press(&mut app, "<Down>");
+    assert!(matches!(app.mode(), Mode::Export { index: 0 }), "{:?}", app.mode());
+    press(&mut app, "<End><Home>");
+    assert!(matches!(app.mode(), Mode::Export { index: 0 }), "{:?}", app.mode());
+    press(&mut app, "<Esc>m<End><Home>");
+    assert!(matches!(app.mode(), Mode::MeshPicker { index: 0 }), "{:?}", app.mode());
+}
