@@ -9,7 +9,7 @@
 //! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
-//! - [`claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
+//! - [`mod@claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
 //!   [`disk`]: what the system knows of both.
 //! - [`migrate`]: older formats. `read`: from a tree to values; [`text`]: from a text to a tree.
 
