@@ -14,7 +14,7 @@ use crate::units::{force_text, length_text};
 const SENT: &str = "copied, if the terminal takes OSC 52";
 
 /// Columns of the table, those of an export that people look for.
-const COLUMNS: [&str; 19] = [
+const COLUMNS: [&str; 22] = [
     "layout",
     "mesh",
     "d_m",
@@ -26,6 +26,9 @@ const COLUMNS: [&str; 19] = [
     "delta_m",
     "design_F_kN",
     "utilisation",
+    "verdict",
+    "verdict_by",
+    "use",
     "design_delta_m",
     "service_delta_m",
     "allowable_delta_m",
@@ -115,6 +118,7 @@ impl App {
             question: &layout.question,
             case: result.case.as_ref(),
             derived: result.derived.as_ref().ok(),
+            verdict: result.verdict.as_ref(),
             check: self.kept_check(index).map(|shown| (shown.result, shown.stale())),
         })
     }

@@ -47,6 +47,7 @@ fn row(exported: &ExportedLayout) -> LayoutRow<'_> {
         question: &entry.question,
         case: Some(&exported.case),
         derived: Some(&exported.derived),
+        verdict: Some(&exported.verdict),
         check: entry.check.as_deref().map(|check| (check, !current(exported, check))),
     }
 }

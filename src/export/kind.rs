@@ -128,7 +128,8 @@ impl ExportKind {
         let title = |name: &str| format!("{name}: force over deflection");
         Ok(match self {
             ExportKind::ReportHtml | ExportKind::ReportMarkdown => {
-                let report = Report { project, cases: &all, checks: &checks, source, unit };
+                let report =
+                    Report { project, cases: &all, checks: &checks, source, unit, short: false };
                 if self == ExportKind::ReportHtml { report.html() } else { report.markdown() }
             }
             ExportKind::Chart => {

@@ -6,6 +6,7 @@ use super::columns::{
 };
 use super::table::Table;
 use super::value::{NamedColumn, Value, kn};
+use super::verdict;
 use crate::VERSION;
 use crate::case::{Case, Derived, Input, Question};
 use crate::forecast::design::Answer;
@@ -14,6 +15,7 @@ use crate::forecast::{Field, Forecast};
 use crate::layout::Layout;
 use crate::study::checks::figures::Figures;
 use crate::study::result::CheckResult;
+use crate::study::verdict::Verdict;
 use crate::units::{to_kj, to_kn};
 use crate::words::Choice;
 
@@ -31,6 +33,8 @@ pub(crate) struct LayoutRow<'a> {
     pub(crate) case: Option<&'a Case>,
     /// What follows from it, where its inputs are sound.
     pub(crate) derived: Option<&'a Derived>,
+    /// Whether it is enough, where anything is asked.
+    pub(crate) verdict: Option<&'a Verdict>,
     /// The check that is kept, and whether it is stale.
     pub(crate) check: Option<(&'a CheckResult, bool)>,
 }
@@ -128,6 +132,8 @@ pub(crate) fn table<'a>() -> Table<'a, LayoutParts<'a>> {
         .part([utilisation], |l| Some(&l.point))
         .part(MARGIN, |l| l.answer.as_ref())
         .part([at_load, service], |l| Some(&l.point));
+    let table = with_inputs(table, &[Input::Pressure, Input::AnchorResistance])
+        .part(verdict::COLUMNS, |l| l.row.verdict);
     with_inputs(table, &[Input::AllowableDeflection])
         .part(ALLOWABLE, |l| l.answer.as_ref())
         .part([check_force], |l| l.check.as_ref())

@@ -154,6 +154,25 @@ pub(crate) fn of_outcome(case: &Case, outcome: &CaseValue, basis: Basis) -> Opti
     (v.finding() != Finding::NotAsked).then(|| short(&v))
 }
 
+/// A check in a cell of a table: `85.4 / 96.5 %` for mean and characteristic values,
+/// `157 % (0.629 m)` for a deflection with what is reached.
+pub(crate) fn cell(c: &Checked, unit: LengthUnit) -> String {
+    match (c.state, c.usage) {
+        (State::NotAsked(_), _) => "-".into(),
+        (State::NotJudged(_), _) => "not judged".into(),
+        (State::PassesThrough, _) => "passes through".into(),
+        (_, [Some(mean), _]) if c.aspect == Aspect::Deflection => {
+            let demand = c.demand.map_or("fails".into(), |v| length_text(v, unit));
+            format!("{} % ({demand})", per_cent(mean))
+        }
+        (_, [Some(mean), Some(low)]) if mean != low => {
+            format!("{} / {} %", per_cent(mean), per_cent(low))
+        }
+        (_, [Some(mean), _]) => format!("{} %", per_cent(mean)),
+        _ => "-".into(),
+    }
+}
+
 /// A check in a narrow panel, in kN or the unit of lengths: `x deflect. 157 % 0.629/0.400`; nothing
 /// where it is not asked. The capacity is that of the basis that decides.
 pub(crate) fn brief(v: &Verdict, c: &Checked, unit: LengthUnit) -> Option<String> {

@@ -4,13 +4,16 @@ use super::text::{below as under, cut, heading, put};
 use super::theme::Theme;
 use super::{answer, chart, inputs};
 use crate::app::App;
+use crate::show::names::shortened;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
 /// Draws everything between title and bottom line. Returns the place of the selected input.
 pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
     let count = app.project().layouts.len();
-    let text = format!(" {} ({}/{count})", cut(&app.layout().name, 26), app.selected() + 1);
+    let names: Vec<&str> = app.project().layouts.iter().map(|l| l.name.as_str()).collect();
+    let name = shortened(&names, 26).into_iter().nth(app.selected()).unwrap_or_default();
+    let text = format!(" {name} ({}/{count})", app.selected() + 1);
     put(buf, area, 0, 0, &text, theme.selected);
     let rest = under(area, 1);
     // Inputs beside the answer, or above it.

@@ -114,10 +114,21 @@ fn a_sweep_is_the_forecast_at_each_point() {
     let (header, rows) = table(&good(&[&arguments[..], &["--format", "csv"]].concat()));
     assert_eq!(
         header,
-        ["L_m", "F_kN", "delta_m", "utilisation", "service_delta_m", "missing", "warnings"]
+        [
+            "L_m",
+            "F_kN",
+            "delta_m",
+            "utilisation",
+            "service_delta_m",
+            "verdict",
+            "verdict_by",
+            "use",
+            "missing",
+            "warnings"
+        ]
     );
     assert_eq!(rows[2][..3], ["3", "27.063", "0.63504"]);
-    assert_eq!(rows[2][6], "reference_point");
+    assert_eq!([5, 6, 9].map(|at| rows[2][at].as_str()), ["PASSES", "strength", "reference_point"]);
     let text = good(&arguments);
     fits(&text);
     assert!(text.contains("3.00    27.1     0.635   73.9"), "{text}");

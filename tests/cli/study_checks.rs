@@ -88,11 +88,11 @@ fn a_sweep_is_the_check_at_each_point() {
     let rows: Vec<Vec<&str>> = out.lines().map(|l| l.split(',').collect()).collect();
     assert_eq!(rows[0][..2], ["L_m", "F_kN"]);
     assert_eq!(
-        rows[0][7..11],
+        rows[0][10..14],
         ["check_F_kN", "check_delta_m", "check_utilisation", "check_F_low_kN"]
     );
     assert!(rows.len() == 3 && rows.iter().all(|r| r.len() == rows[0].len()), "{out}");
-    assert_eq!(rows[1][7], v["points"][0]["check"]["F_kN"].to_string());
+    assert_eq!(rows[1][10], v["points"][0]["check"]["F_kN"].to_string());
     let text = went(&of("sweep", &[&range[..], &["--dem"]].concat()));
     fits(&text);
     assert!(text.contains("DEM           quick fidelity, 2 runs each, seed 7"), "{text}");
@@ -201,7 +201,10 @@ fn a_comparison_checks_each_layout() {
         let mut first = list[0]["points"].clone();
         for point in first.as_array_mut().unwrap() {
             point["utilisation"] = Value::Null;
-            point["service_delta_m"] = Value::Null;
+            for field in ["service_delta_m", "use", "verdict_by"] {
+                point[field] = Value::Null;
+            }
+            point["verdict"] = "NOT ASKED".into();
             point["check"]["utilisation"] = Value::Null;
         }
         first

@@ -106,3 +106,54 @@ fn the_basis_is_the_projects_and_a_flag_stands_above_it() {
 }
 
 const JOB_AT_3: [&str; 5] = ["forecast", "-d", "0.25", "-D", "0.6"];
+
+/// The job of `tests/screens/job.rs` by commands.
+#[test]
+fn a_sweep_over_the_spacing_fails_from_1_87_m_on() {
+    let v = json(&[
+        "sweep",
+        "-d",
+        "0.25",
+        "-D",
+        "0.6",
+        "--force",
+        "20",
+        "--deflection",
+        "0.4",
+        "--vary",
+        "L",
+        "--from",
+        "1.25",
+        "--to",
+        "4.5",
+        "--steps",
+        "66",
+    ]);
+    let points = v["points"].as_array().unwrap();
+    for point in points {
+        let fails = point["L_m"].as_f64().unwrap() > 1.87;
+        assert_eq!(point["verdict"], if fails { "FAILS" } else { "PASSES" }, "{point}");
+        assert_eq!(point["use"].as_f64().unwrap() > 1.0, fails, "{point}");
+        if fails {
+            assert_eq!(point["verdict_by"], "deflection", "{point}");
+        }
+    }
+    // The same spacing by the solver, and what the design advises.
+    let v = json(&[
+        "design",
+        "-d",
+        "0.25",
+        "-D",
+        "0.6",
+        "--force",
+        "20",
+        "--deflection",
+        "0.4",
+        "--solve",
+        "L",
+    ]);
+    assert_eq!(v["verdict"]["mend"]["input"], "L");
+    let both = v["solutions"].as_array().unwrap().last().unwrap();
+    let value = both["crossings"][0]["value_m"].as_f64().unwrap();
+    assert!((value - 1.871).abs() < 1e-3 && both["crossings"][0]["advised"] == true, "{both}");
+}

@@ -15,7 +15,8 @@ fn every_layout_has_a_line_and_every_line_all_fields() {
         let rows = rows(&csv::table(&cases));
         assert_eq!(rows.len(), cases.len() + 1);
         for (row, case) in rows[1..].iter().zip(&cases) {
-            assert_eq!(row[0], case.entry.name);
+            // A name that a spreadsheet would take for a formula stands behind an apostrophe.
+            assert_eq!(row[0].trim_start_matches('\''), case.entry.name);
             for (name, field) in rows[0].iter().zip(row) {
                 let number = ["_m", "_kN", "_kJ"].iter().any(|end| name.ends_with(end));
                 let sound = field.is_empty() || field.parse::<f64>().is_ok_and(f64::is_finite);

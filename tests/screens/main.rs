@@ -5,6 +5,7 @@ mod checks;
 mod desk;
 mod empty;
 mod harness;
+mod job;
 mod new_user;
 mod readme;
 mod scripts;

@@ -202,10 +202,11 @@ impl SweepState {
             Err(why) => view.no_dem = Some(why),
         }
         view.points = sweep(&view.case, grid.clone()).points;
-        view.figures = (view.answers.iter().zip(&view.points))
-            .map(|(answer, point)| {
+        view.figures = (view.answers.iter().zip(&view.points).enumerate())
+            .map(|(index, (answer, point))| {
+                let asked = grid.case(&view.case, index).asked();
                 let forecast = point.as_ref().ok().map(crate::case::CasePoint::values);
-                answer.as_ref().ok().map(|v| Figures::of(v, forecast, &view.case.question))
+                answer.as_ref().ok().map(|v| Figures::of(v, forecast, &asked))
             })
             .collect();
         view.marked = self.marked.min(grid.len().saturating_sub(1));

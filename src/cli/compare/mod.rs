@@ -82,7 +82,7 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     });
     let layouts = loaded.cases.iter().enumerate().map(|(row, c)| {
         let simulated = match &checked {
-            Some((_, answers)) => made(answers.get(row)),
+            Some((_, answers)) => answers.get(row).map_or(Simulated::Missing, Simulated::made),
             None => Simulated::of(c.check.as_deref(), &c.case),
         };
         let name = c.name.clone().unwrap_or_default();
@@ -103,12 +103,4 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
     };
     let verdict = args.verdict.code(compared.comparison.rows.iter().map(|row| &row.verdict));
     Ok(Output { result, verdict, interrupted, ..Output::default() })
-}
-
-/// A check that has just been made, in place of the one that is kept.
-fn made(answer: Option<&CheckAnswer>) -> Simulated<'_> {
-    match answer {
-        Some(Ok(result)) => Simulated::Current(result),
-        _ => Simulated::Missing,
-    }
 }

@@ -6,8 +6,10 @@ use crate::show::columns::{
     self, CHANGE, CHECK_CHANGE, CheckRow, PointRow, check_mean, check_more, point,
 };
 use crate::show::table::Table;
+use crate::show::verdict;
 use crate::study::checks::change::CheckChange;
 use crate::study::sensitivity::Change;
+use crate::study::verdict::Verdict;
 
 /// One step of an input.
 struct StepRow<'a> {
@@ -16,6 +18,7 @@ struct StepRow<'a> {
     word: &'static str,
     value: f64,
     point: PointRow<'a>,
+    verdict: Verdict,
     change: Option<Change>,
     check: Option<CheckRow<'a>>,
     check_change: Option<CheckChange>,
@@ -32,6 +35,7 @@ pub(crate) fn report(studied: &[Studied], checks: bool, several: bool) -> String
         .with("step", |s| s.word.into())
         .with("value", |s| columns::input(s.input, s.value))
         .part([force, deflection, utilisation, service], |s| Some(&s.point))
+        .part(verdict::COLUMNS, |s| Some(&s.verdict))
         .part(CHANGE, |s| s.change.as_ref())
         .part([missing, warnings], |s| Some(&s.point))
         .when(checks, |table| {
@@ -52,13 +56,15 @@ fn rows(s: &Studied) -> impl Iterator<Item = StepRow<'_>> {
         ];
         steps.map(|(word, step, checked)| {
             let point = PointRow::from(&step.outcome);
-            let check = checked.map(|c| CheckRow::new(&c.answer, point.values, &s.case.asked()));
+            let asked = s.case.with(bar.input, step.value).asked();
+            let check = checked.map(|c| CheckRow::new(&c.answer, point.values, &asked));
             StepRow {
                 name: s.name.as_deref(),
                 input: bar.input,
                 word,
                 value: step.value,
                 point,
+                verdict: s.judged(bar.input, step, checked),
                 change: step.change,
                 check,
                 check_change: checked.and_then(|c| c.change),

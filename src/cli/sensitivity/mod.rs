@@ -12,9 +12,11 @@ use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
 use super::output::{CommandEnd, Output, TableFormat, csv_as};
+use super::verdict::BasisFlag;
 use crate::case::{Case, Input};
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
-use crate::study::sensitivity::{Sensitivity, sensitivity};
+use crate::study::sensitivity::{Sensitivity, Step, sensitivity};
+use crate::study::verdict::{Basis, Simulated, Verdict, verdict};
 use clap::Args;
 
 /// How F, delta and utilisation move with each input, both ways, largest effect first.
@@ -25,6 +27,8 @@ use clap::Args;
 pub(crate) struct SensitivityArgs {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    basis: BasisFlag,
     #[command(flatten)]
     dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
@@ -37,9 +41,20 @@ pub(crate) struct SensitivityArgs {
 struct Studied {
     name: Option<String>,
     case: Case,
+    /// Which value of a capacity verdicts go by.
+    basis: Basis,
     sensitivity: Sensitivity,
     /// The same by checks, where they are asked for.
     checked: Option<CheckedSensitivity>,
+}
+
+impl Studied {
+    /// The verdict on a step of an input, by the forecast and by its check.
+    fn judged(&self, input: Input, step: &Step, checked: Option<&dem::CheckedStep>) -> Verdict {
+        let case = self.case.with(input, step.value);
+        let simulated = checked.map_or(Simulated::Missing, |c| Simulated::made(&c.answer));
+        verdict(&case, &step.outcome, simulated, self.basis)
+    }
 }
 
 /// The unit of an input's values for programs.
@@ -50,12 +65,13 @@ fn unit(input: Input) -> &'static str {
 /// Studies each layout and writes the result in the form asked for.
 pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
     let loaded = args.source.load(ui)?;
+    let basis = args.basis.basis(loaded.basis);
     let mut studied: Vec<Studied> = loaded
         .cases
         .into_iter()
         .map(|c| {
             let case = c.case;
-            Studied { sensitivity: sensitivity(&case), name: c.name, case, checked: None }
+            Studied { sensitivity: sensitivity(&case), name: c.name, case, basis, checked: None }
         })
         .collect();
     let wanted = args.dem.wanted();

@@ -57,7 +57,8 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
             }
             Err(why) => format!("{:>FORECAST$}", why.short()),
         };
-        let figures = answer.as_ref().ok().map(|v| Figures::of(v, forecast, &s.case.question));
+        let asked = s.case.with(input, *at).asked();
+        let figures = answer.as_ref().ok().map(|v| Figures::of(v, forecast, &asked));
         let ours = match (figures, answer) {
             (Some(f), _) => match f.mean {
                 Some(v) => {

@@ -23,11 +23,12 @@ pub(crate) fn draw(page: &mut Page, s: &Swept, second: &SweepAxis) {
         let forecast: Vec<Cell> =
             s.sweep.points.iter().map(|outcome| map::forecast(outcome, shown)).collect();
         let checked: Option<Vec<Cell>> = s.checked.as_ref().map(|answers| {
-            let cell = |answer: &CheckAnswer| {
-                let figures = answer.as_ref().ok().map(|v| Figures::of(v, None, &s.case.question));
+            let cell = |(index, answer): (usize, &CheckAnswer)| {
+                let asked = s.sweep.grid.case(&s.case, index).asked();
+                let figures = answer.as_ref().ok().map(|v| Figures::of(v, None, &asked));
                 map::checked(answer, figures.as_ref(), shown)
             };
-            answers.iter().map(cell).collect()
+            answers.iter().enumerate().map(cell).collect()
         });
         let Some(ends) = map::extent(forecast.iter().chain(checked.iter().flatten())) else {
             page.lines.push(String::new());

@@ -15,10 +15,12 @@ use super::case::Source;
 use super::choice::one_of;
 use super::dem::{DemFlags, Done, Job};
 use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as};
+use super::verdict::BasisFlag;
 use crate::case::{Case, Input};
 use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
 use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
+use crate::study::verdict::Basis;
 use crate::units::{LengthUnit, Quantity, parse};
 use clap::Args;
 
@@ -32,6 +34,8 @@ pub(crate) struct SweepArgs {
     source: Source,
     #[command(flatten)]
     ranges: Ranges,
+    #[command(flatten)]
+    basis: BasisFlag,
     #[command(flatten)]
     dem: DemFlags,
     /// How the result is written: JSON and CSV in SI with kN.
@@ -76,6 +80,8 @@ const STEPS_2: usize = 11;
 struct Swept {
     name: Option<String>,
     case: Case,
+    /// Which value of a capacity verdicts go by.
+    basis: Basis,
     sweep: Sweep,
     /// The check of each point, where checks are asked for.
     checked: Option<Vec<CheckAnswer>>,
@@ -143,12 +149,14 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
         };
         end(|axis| axis.from).or_else(|_| end(|axis| axis.to)).map_err(|_| fault)
     })?;
+    let basis = args.basis.basis(loaded.basis);
     let mut swept: Vec<Swept> = loaded
         .cases
         .into_iter()
         .map(|c| {
             let case = c.case;
-            Swept { sweep: sweep(&case, grid.clone()), name: c.name, case, checked: None }
+            let sweep = sweep(&case, grid.clone());
+            Swept { sweep, name: c.name, case, basis, checked: None }
         })
         .collect();
     let wanted = args.dem.wanted();

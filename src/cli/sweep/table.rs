@@ -2,8 +2,9 @@
 
 use super::Swept;
 use crate::show::columns::{self, CheckRow, PointRow, check_mean, check_more, point};
-use crate::show::table::Table;
+use crate::show::{self, table::Table};
 use crate::study::sweep::{Grid, SweepAxis};
+use crate::study::verdict::{Simulated, Verdict, verdict};
 
 /// A point of a sweep.
 pub(super) struct SweptPoint<'a> {
@@ -11,6 +12,8 @@ pub(super) struct SweptPoint<'a> {
     first: f64,
     second: Option<f64>,
     point: PointRow<'a>,
+    /// Whether it is enough, by the forecast and by its check.
+    verdict: Verdict,
     /// Its check, where checks are asked for.
     pub(super) check: Option<CheckRow<'a>>,
 }
@@ -21,8 +24,11 @@ pub(super) fn rows(s: &Swept) -> impl Iterator<Item = SweptPoint<'_>> {
         let (first, second) = s.sweep.grid.at(index);
         let point = PointRow::from(outcome);
         let answer = s.checked.as_ref().and_then(|answers| answers.get(index));
-        let check = answer.map(|a| CheckRow::new(a, point.values, &s.case.question));
-        SweptPoint { name: s.name.as_deref(), first, second, point, check }
+        let case = s.sweep.grid.case(&s.case, index);
+        let check = answer.map(|a| CheckRow::new(a, point.values, &case.asked()));
+        let simulated = answer.map_or(Simulated::Missing, Simulated::made);
+        let verdict = verdict(&case, outcome, simulated, s.basis);
+        SweptPoint { name: s.name.as_deref(), first, second, point, verdict, check }
     })
 }
 
@@ -37,8 +43,10 @@ pub(super) fn table<'a>(grid: &Grid, named: bool) -> Table<'a, SweptPoint<'a>> {
     let name = |p: &SweptPoint| p.name.map(String::from).into();
     let table = Table::new().when(named, |table| table.with("layout", name));
     let table = table.with(first.column(), move |p| columns::input(first, p.first));
-    let given = [force, deflection, utilisation, service, missing, warnings];
-    grid.second.iter().fold(table, second).part(given, |p| Some(&p.point))
+    let table = grid.second.iter().fold(table, second);
+    let table = table.part([force, deflection, utilisation, service], |p| Some(&p.point));
+    let table = table.part(show::verdict::COLUMNS, |p| Some(&p.verdict));
+    table.part([missing, warnings], |p| Some(&p.point))
 }
 
 /// The same with the checks.

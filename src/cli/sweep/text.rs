@@ -8,6 +8,7 @@ use crate::show::effect::deflection;
 use crate::show::strip::{StripMark, strip};
 use crate::study::result::Wanted;
 use crate::study::sweep::{SweepAxis, extent};
+use crate::study::verdict::{Simulated, verdict};
 use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};
 
 /// The reports of all layouts, an empty line between them.
@@ -92,10 +93,12 @@ fn line_plot(page: &mut Page, s: &Swept) {
     let used = if asked { format!("{:>7}{:>9}", "use %", "at F") } else { String::new() };
     let head = format!("{} {}", input.symbol(), input_unit(input, unit));
     let delta = format!("delta {}", unit.symbol());
-    let front = format!("{head:>11}{:>8}{delta:>10}{used}   ", "F_a kN");
+    let front = format!("{head:>11}{:>8}{delta:>10}{used}    ", "F_a kN");
     let width = WIDTH - front.len() - 2;
     page.lines.push(front.trim_end().to_string());
     for (at, outcome) in s.sweep.grid.columns.iter().zip(points) {
+        let case = s.case.with(input, *at);
+        let found = verdict(&case, outcome, Simulated::Missing, s.basis).finding().mark();
         let at = input_value(input, *at, unit);
         let line = match outcome {
             Err(why) => format!("{at:>11}{:>18}", why.short()),
@@ -108,7 +111,7 @@ fn line_plot(page: &mut Page, s: &Swept) {
                     }
                     None => String::new(),
                 };
-                let mark = if p.doubtful() { "!" } else { " " };
+                let mark = format!("{found}{}", if p.doubtful() { "!" } else { " " });
                 // F_a at which the factored resistance is the factored load.
                 let needed = p.answer.at_force.map(|at| at.utilisation * v.force);
                 let marks = [

@@ -114,6 +114,8 @@ pub(crate) enum Block {
     Pictures(Vec<Picture>),
     /// Lines to type.
     Commands(Vec<String>),
+    /// What follows begins a page in print.
+    NewPage,
 }
 
 /// A picture.

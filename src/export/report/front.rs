@@ -8,7 +8,9 @@ use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
-use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
+use crate::units::{
+    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kn,
+};
 use crate::words::Choice;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -22,6 +24,12 @@ pub(crate) fn project(report: &Report<'_>, document: &mut ReportDocument) {
     let mut rows = vec![(Words::from("Project"), Words::from(project.name.clone()))];
     if !project.site.is_empty() {
         rows.push(("Site".into(), project.site.clone().into()));
+    }
+    let words = ["Client", "Author", "Checked by", "Revision", "Date"];
+    for (word, (_, text)) in words.into_iter().zip(project.title.rows()) {
+        if !text.is_empty() {
+            rows.push((word.into(), text.to_string().into()));
+        }
     }
     let source = &report.source;
     if !source.file_name.is_empty() {
@@ -39,6 +47,61 @@ pub(crate) fn project(report: &Report<'_>, document: &mut ReportDocument) {
         document.section("Notes");
         document.blocks.push(Block::Free(project.notes.clone()));
     }
+}
+
+/// Whether each layout is enough, with the inputs and the demand it was judged by.
+pub(crate) fn verdicts(report: &Report<'_>, document: &mut ReportDocument) {
+    if report.cases.is_empty() {
+        return;
+    }
+    document.chapter("Verdict");
+    let unit = report.unit;
+    let mut head = vec![Words::from("Layout")];
+    for symbol in ["{d}", "{L}", "{D}"] {
+        let mut words = ours(symbol);
+        words.0.push(TextSpan::Plain(format!(" ({})", unit.symbol())));
+        head.push(words);
+    }
+    let rest = [
+        "load (kN)",
+        "{gamma_F}",
+        "{gamma_R}",
+        "allowed {delta}",
+        "strength",
+        "deflection",
+        "anchor",
+        "verdict",
+    ];
+    head.extend(rest.map(ours));
+    let rows = report.cases.iter().map(|case| verdict_row(case, unit)).collect();
+    document.blocks.push(Block::Table { head, rows, numbers: true });
+    let basis = report.project.basis.word();
+    document.say(&format!(
+        "A use of at most 100 % passes. Strength, by mean and characteristic values: the load with {{gamma_F}} times {{gamma_R}} over {{F_a}}; deflection: that under the load without its factor on the mean curve, over the allowed one; anchor: the load with {{gamma_F}}, which in a field with a block in every cell each anchor carries, over what it can take. Verdicts here go by {basis} values; where a check by simulation is kept and its inputs are unchanged, the larger use of forecast and check counts."
+    ));
+}
+
+fn verdict_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
+    let v = &case.verdict;
+    let asked = case.case.asked();
+    let mut row = vec![Words::from(case.entry.name.clone())];
+    let layout = &case.entry.layout;
+    for metres in [layout.plate, layout.spacing, layout.punch] {
+        row.push(length_entry(metres, unit).into());
+    }
+    let load = asked.force.map(|force| significant(to_kn(force), 3));
+    row.push(load.unwrap_or("-".into()).into());
+    row.push(shortest(asked.gamma_load).into());
+    row.push(shortest(asked.gamma_resistance).into());
+    let allowed = asked.deflection.map(|v| length_entry(v, unit));
+    row.push(allowed.unwrap_or("-".into()).into());
+    for c in &v.checks {
+        let text = verdict::cell(c, unit);
+        row.push(if c.state.fails() { strong(text) } else { text.into() });
+    }
+    let found = v.finding().word();
+    row.push(if v.finding() == Finding::Passes { found.into() } else { strong(found) });
+    row
 }
 
 /// The results of all layouts.

@@ -33,7 +33,10 @@ pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space:
   table { max-width: 100%; font-size: 8pt; }
   thead { display: table-header-group; }
   th, td { padding: 0.4mm 1.2mm; overflow-wrap: anywhere; }
+  table.numbers td + td, table.numbers th + th { overflow-wrap: break-word; }
+  table.numbers td + td code { overflow-wrap: anywhere; }
   div.keep { break-inside: avoid; }
+  div.page { break-before: page; }
   div.pictures { display: block; }
   figure { margin: 2mm 0; }
   figure svg { max-height: 62mm; }
@@ -132,6 +135,7 @@ fn block(block: &Block, out: &mut String) {
             }
             writeln!(out, "</div>")
         }
+        Block::NewPage => writeln!(out, "<div class=\"page\"></div>"),
         Block::Commands(lines) => {
             let lines: Vec<String> = lines.iter().map(|l| xml(l)).collect();
             writeln!(out, "<pre><code>{}</code></pre>", lines.join("\n"))

@@ -8,8 +8,11 @@ use crate::export::{Check, ExportedLayout, command};
 use crate::forecast::{Field, Values, field};
 use crate::layout::Layout;
 use crate::mesh::STANDARD_PANEL;
+use crate::show::verdict;
+use crate::study::verdict::Finding;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
 use crate::units::{to_kj, to_kn};
+use crate::words::Choice;
 
 /// Writes the section of a layout.
 pub(crate) fn layout(
@@ -24,6 +27,7 @@ pub(crate) fn layout(
     if !case.entry.note.trim().is_empty() {
         document.blocks.push(Block::Free(case.entry.note.clone()));
     }
+    judged(case, unit, document);
     warnings(case, document);
     let check = report.check(index);
     let series = [Series { case, check }];
@@ -55,6 +59,37 @@ pub(crate) fn layout(
         document.quote(words);
         document.blocks.push(Block::Commands(lines));
     }
+}
+
+/// A layout on one page: verdict, curve, what to distrust.
+pub(crate) fn short(
+    report: &Report<'_>,
+    index: usize,
+    case: &ExportedLayout,
+    document: &mut ReportDocument,
+) {
+    let unit = report.unit;
+    let name = &case.entry.name;
+    document.section(format!("{}. {name}", index + 1));
+    judged(case, unit, document);
+    let series = [Series { case, check: report.check(index) }];
+    let title = format!("{name}: force over deflection");
+    document.blocks.push(Block::Pictures(vec![
+        Picture { svg: chart(&series, &title, unit), caption: title, wide: false },
+        Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
+    ]));
+    warnings(case, document);
+}
+
+/// Whether it is enough: each check, what to know beside it, and what would mend it.
+fn judged(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+    let v = &case.verdict;
+    if v.finding() == Finding::NotAsked {
+        return;
+    }
+    document.quote(strong(format!("{}; {} values", verdict::short(v), v.basis.word())));
+    let lines = verdict::lines(&case.case, v, unit).into_iter();
+    document.blocks.push(Block::List(lines.map(Words::from).collect()));
 }
 
 fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
@@ -165,7 +200,7 @@ fn points(layout: &Layout, field: &Field, unit: LengthUnit, document: &mut Repor
     let force = force_text(field.values.force);
     match layout.facing_bound() {
         None => document
-            .say(&format!("Each anchor carries {force} at failure: the whole force of its cell.")),
+            .say(&format!("Each anchor carries {force} at failure, the whole force of its cell: what the panel can ask of the bolt.")),
         Some(bound) => document.say(&format!(
             "Where blocks face each other the worst anchor carries at most {} of {force} at failure, {} (an estimate; a check gives its force).",
             significant(bound, 4),

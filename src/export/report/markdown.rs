@@ -55,6 +55,7 @@ fn block<'a>(block: &'a Block, out: &mut String, pictures: &mut Vec<&'a str>) {
             }
             Ok(())
         }
+        Block::NewPage => Ok(()),
         Block::Commands(lines) => {
             let lines: Vec<String> = lines.iter().map(|l| one_line(l)).collect();
             let longest = lines.iter().map(|l| longest_run(l, '`')).max().unwrap_or(0);

@@ -14,7 +14,7 @@ mod method;
 use super::{Check, ExportedLayout};
 use crate::project::Project;
 use crate::units::LengthUnit;
-use document::ReportDocument;
+use document::{Block, ReportDocument};
 
 /// Where a project comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,6 +40,8 @@ pub struct Report<'a> {
     pub source: ReportSource<'a>,
     /// The unit of lengths.
     pub unit: LengthUnit,
+    /// Whether it is the short form: the first page, then one page a layout.
+    pub short: bool,
 }
 
 impl Report<'_> {
@@ -60,6 +62,15 @@ impl Report<'_> {
             blocks: Vec::new(),
         };
         front::project(self, &mut document);
+        front::verdicts(self, &mut document);
+        if self.short {
+            method::limits(&mut document);
+            for (index, case) in self.cases.iter().enumerate() {
+                document.blocks.push(Block::NewPage);
+                layout::short(self, index, case, &mut document);
+            }
+            return document;
+        }
         front::results(self, &mut document);
         method::limits(&mut document);
         front::inputs(self, &mut document);

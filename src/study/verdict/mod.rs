@@ -19,6 +19,7 @@ mod judge;
 
 pub use judge::{Forecasted, verdict};
 
+use super::checks::CheckAnswer;
 use super::result::CheckResult;
 use super::result::make::fingerprint;
 use crate::case::Case;
@@ -197,6 +198,11 @@ impl<'a> Simulated<'a> {
             true => Simulated::Current(result),
             false => Simulated::Stale,
         }
+    }
+
+    /// One that has just been made of a case as it is, or none.
+    pub(crate) fn made(answer: &'a CheckAnswer) -> Simulated<'a> {
+        answer.as_ref().map_or(Simulated::Missing, Simulated::Current)
     }
 
     /// Whether there is one that does not count.

@@ -231,7 +231,10 @@ fn governing(view: &CompareView, columns: usize) -> String {
     let word = if columns < usize::from(NARROW) { "" } else { "governing" };
     let head = format!("* {word}{colon}").replace("  ", " ");
     let room = columns.saturating_sub(head.len() + usize::from(width(&rest)) + 2);
-    let name = name.map_or(String::new(), |name| format!("{}: ", cut(name, room.max(8))));
+    let names: Vec<&str> = c.rows.iter().map(|r| r.name.as_str()).collect();
+    let short = shortened(&names, room.max(8));
+    let governs = c.governing.filter(|_| name.is_some()).and_then(|g| short.get(g.row));
+    let name = governs.map_or(String::new(), |name| format!("{name}: "));
     cut(&format!("{head}{name}{rest}"), columns)
 }
 

@@ -12,7 +12,7 @@ use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::Plot;
-use crate::show::say;
+use crate::show::{say, verdict};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::units::{LengthUnit, percent, significant, to_kn};
@@ -226,7 +226,13 @@ fn notes(app: &App, view: &SweepView, theme: &Theme) -> Vec<(String, Style)> {
     let forecast = match view.points.get(view.marked) {
         Some(Ok(point)) => {
             let mark = if point.doubtful() { " !" } else { "" };
-            say::point(point, unit) + mark
+            let case = view.grid.as_ref().map(|grid| grid.case(&view.case, view.marked));
+            let found = case.zip(view.points.get(view.marked));
+            let found = found.and_then(|(case, outcome)| {
+                verdict::of_outcome(&case, outcome, app.project().basis)
+            });
+            let found = found.map_or(String::new(), |found| format!(", {found}"));
+            say::point(point, unit) + &found + mark
         }
         Some(Err(why)) => why.sentence(),
         None => String::new(),
