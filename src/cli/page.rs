@@ -8,6 +8,7 @@ use super::output::wrapped;
 use crate::case::Case;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question};
+use crate::layout::{Blocks, Layout};
 use crate::show::verdict;
 use crate::study::verdict::Verdict;
 use crate::units::{
@@ -18,6 +19,12 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands with every answer: what the method is a forecast of.
 pub(crate) const BASIS: &str = "lowest of the arrangements computed: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
+
+/// The blocks of a layout behind its other inputs, where they are not the paper's.
+pub(crate) fn blocks_said(layout: &Layout) -> String {
+    let blocks = layout.blocks;
+    if blocks == Blocks::Paper { String::new() } else { format!(", blocks {}", blocks.word()) }
+}
 
 /// Widest line, columns.
 pub(crate) const WIDTH: usize = 80;
@@ -71,12 +78,13 @@ impl Page {
         }
         let l = &case.layout;
         let text = format!(
-            "d {}, L {}, D {}, ex {}, ey {}",
+            "d {}, L {}, D {}, ex {}, ey {}{}",
             self.entry(l.plate),
             self.entry(l.spacing),
             self.entry(l.punch),
             self.entry(l.ex),
-            self.entry(l.ey)
+            self.entry(l.ey),
+            blocks_said(l)
         );
         self.line("inputs", text);
         self.line("mesh", format!("{} ({})", case.mesh.id, case.mesh.title()));

@@ -4,6 +4,7 @@ use super::chart::{ChartLine, draw};
 use super::json::kind;
 use super::{Checked, VERSION};
 use crate::cli::output::wrapped;
+use crate::cli::page::blocks_said;
 use crate::curve::Curve;
 use crate::dem::{Arrangement, Stop, Test};
 use crate::forecast::CURVE_POINTS;
@@ -74,11 +75,12 @@ fn inputs(page: &mut Page, c: &Checked) {
         Test::Laboratory => String::new(),
     };
     let text = format!(
-        "{plates}L {}, D {}, ex {}, ey {}",
+        "{plates}L {}, D {}, ex {}, ey {}{}",
         page.entry(l.spacing),
         page.entry(l.punch),
         page.entry(l.ex),
-        page.entry(l.ey)
+        page.entry(l.ey),
+        blocks_said(l)
     );
     page.line("inputs", text);
     let test = match c.spec.test {
