@@ -6,6 +6,7 @@ mod attacked;
 mod calibrated;
 mod determinism;
 mod field;
+mod memory;
 mod net;
 mod revisions;
 mod single_bond;
