@@ -133,7 +133,7 @@ impl Layout {
             if sound { (self.spacing, "the spacing L = ") } else { (LARGEST_LENGTH, "") };
         size("d", "plate side d", self.plate, limit, limit_words);
         size("L", "spacing L", self.spacing, LARGEST_LENGTH, "");
-        size("D", "punch diameter D", self.punch, limit, limit_words);
+        size("D", "block diameter D", self.punch, limit, limit_words);
         for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
                 let why =
@@ -232,7 +232,7 @@ mod tests {
             said[0],
             "d = -0.1 m: plate side d must be above 0; allowed: above 0, below the spacing L = 3.0 m"
         );
-        assert!(said[1].starts_with("D = 3.0 m: punch diameter D is too large"));
+        assert!(said[1].starts_with("D = 3.0 m: block diameter D is too large"));
         assert!(said[2].starts_with("ex = NaN: offset ex must be a finite length"));
         assert!(REFERENCE.check().is_ok());
         let dust = Layout { spacing: 5e-324, ..REFERENCE }.check().unwrap_err();

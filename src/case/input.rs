@@ -133,7 +133,7 @@ const TABLE: [InputRow; 13] = [
         input: Input::Punch,
         word: "D",
         symbol: "D",
-        label: "punch",
+        label: "block",
         phrase: "diameter of the punching block",
         quantity: Length,
         name: "D",

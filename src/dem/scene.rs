@@ -239,9 +239,9 @@ fn check(spec: &SceneSpec) -> Result<(), Vec<Problem>> {
         );
     } else if spec.test == Test::Anchored && layout.punch_on_plate() {
         problems.push(
-            Problem::new("D", "the punch stands on an anchor plate")
+            Problem::new("D", "the block stands on an anchor plate")
                 .value(format!("{} m", shortest(layout.punch)))
-                .advice("move the punch (ex, ey) or take a smaller one"),
+                .advice("move the block (ex, ey) or take a smaller one"),
         );
     } else if spec.test == Test::Laboratory {
         let reach = layout.ex.abs().max(layout.ey.abs()) + layout.punch / 2.0;

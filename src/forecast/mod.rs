@@ -100,7 +100,7 @@ impl NoField {
     pub(crate) fn sentence(self) -> &'static str {
         match self {
             NoField::PunchOnPlate => {
-                "no field value: the punch is on an anchor plate, outside the method"
+                "no field value: the block is on an anchor plate, outside the method"
             }
             NoField::PassesThrough => {
                 "no field value: the block is smaller than the opening of the mesh and passes through"

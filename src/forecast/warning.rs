@@ -26,7 +26,7 @@ pub(crate) const SPACING: PublishedRange =
     PublishedRange { symbol: "L", words: "spacing", min: 1.25, max: 4.5 };
 /// Range of the punch diameter D of Eqs. A.1-A.2 and 3.
 pub(crate) const PUNCH: PublishedRange =
-    PublishedRange { symbol: "D", words: "punch", min: 0.1, max: 2.5 };
+    PublishedRange { symbol: "D", words: "block", min: 0.1, max: 2.5 };
 /// Range of the laboratory panel's side of Eqs. 1-2.
 pub(crate) const PANEL: PublishedRange = PublishedRange {
     symbol: "L_l",
@@ -172,7 +172,7 @@ impl Warning {
             Warning::Extrapolated { range, .. } => {
                 format!("{} outside {}", range.symbol, range.text())
             }
-            Warning::PunchOnPlate { .. } => "punch on an anchor plate".into(),
+            Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
             Warning::PassesThrough { .. } => "block below the mesh opening".into(),
             Warning::ImplausibleLaboratory { force, deflection } => format!(
                 "laboratory {} kN, {}: units?",
@@ -207,7 +207,7 @@ impl Warning {
                 range.text()
             ),
             Warning::PunchOnPlate { distance, radius } => format!(
-                "the punch overlaps an anchor plate (its centre is {} from the plate, its radius is {}): outside the method, no field value",
+                "the block overlaps an anchor plate (its centre is {} from the plate, its radius is {}): outside the method, no field value",
                 m(*distance),
                 m(*radius)
             ),

@@ -36,7 +36,7 @@ pub(crate) enum NoCell {
 impl NoCell {
     /// All of them with their signs and legends.
     const ALL: [(NoCell, char, &str); 5] = [
-        (NoCell::OnPlate, 'P', "P punch on a plate"),
+        (NoCell::OnPlate, 'P', "P block on a plate"),
         (NoCell::Through, 'T', "T block below the mesh opening"),
         (NoCell::Senseless, '?', "? makes no sense"),
         (NoCell::NoBreak, 'n', "n no break"),

@@ -134,9 +134,9 @@ pub(crate) fn notes(s: &Sensitivity) -> Vec<(&'static str, &'static str)> {
         notes.push(("*", "the step goes over the branch change at D = d, where A.1 and A.2 jump"));
     }
     for (code, text) in [
-        ("punch_on_plate", "the step takes the punch onto an anchor plate: outside the method"),
+        ("punch_on_plate", "the step takes the block onto an anchor plate: outside the method"),
         ("passes_through", "the step makes the block smaller than the opening of the mesh"),
-        ("senseless", "the step makes no sense: plate and punch must be smaller than the spacing"),
+        ("senseless", "the step makes no sense: plate and block must be smaller than the spacing"),
     ] {
         let why = |step: &Step| {
             step.outcome

@@ -25,7 +25,7 @@ fn csv_of_a_project_has_the_layouts_in_front_and_remarks_elsewhere() {
     assert_eq!(lines.len(), 1 + 2 * 201, "the third layout has no curve");
     assert_eq!(lines[1], "bench 2,0,0");
     assert_eq!(lines[202], "\"portal, east\",0,0");
-    assert!(got.err.starts_with("note: layout \"corner\": no curve; the punch overlaps"));
+    assert!(got.err.starts_with("note: layout \"corner\": no curve; the block overlaps"));
     let one = good(&["forecast", shown(&path), "--layout", "bench 2", "--format", "csv"]);
     assert!(one.starts_with("delta_m,F_kN\n0,0\n"));
 }

@@ -142,7 +142,7 @@ fn a_chart_says_what_it_shows() {
     let of = |index: usize| words(&chart_of(&odd[index..=index], "odd", LengthUnit::Millimetre));
     assert!(of(0).contains("by the other branch (small punch)"), "{}", of(0));
     assert!(of(0).contains("deflection \u{3b4} (mm)"));
-    assert!(of(1).contains("no field value: the punch is on an anchor plate"));
+    assert!(of(1).contains("no field value: the block is on an anchor plate"));
     assert!(of(2).contains("extrapolated") && of(2).contains("(beyond the chart)"), "{}", of(2));
     assert!(of(3).contains("design force 500 kN (beyond the chart)"), "{}", of(3));
 }

@@ -84,7 +84,7 @@ fn names_are_shown_and_never_obeyed() {
         assert!(markdown.contains(safe), "{safe:?} is missing");
     }
     // A word is bold only where no space stands inside its stars.
-    assert!(markdown.contains("- **Outside:** The punch overlaps"));
+    assert!(markdown.contains("- **Outside:** The block overlaps"));
     // A row of a table has as many cells as its head.
     let results = markdown.lines().find(|l| l.contains("on \\| a plate")).unwrap();
     assert!(results.starts_with('#') || results.replace("\\|", "").matches('|').count() >= 8);

@@ -182,7 +182,7 @@ pub(crate) fn styled(app: &App) -> String {
     format!("{}----\n{map}----\n{legend}", text(app))
 }
 
-/// Two small cells, and one that cannot be checked: the punch is on a plate.
+/// Two small cells, and one that cannot be checked: the block is on a plate.
 pub(crate) fn small() -> Project {
     let layout = |spacing, ex| Layout { plate: 0.25, spacing, punch: 0.4, ex, ey: ex, ..REFERENCE };
     let mut project = Project::starter("Small");

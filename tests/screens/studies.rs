@@ -113,7 +113,7 @@ fn sensitivity_by_forecast_at_once_and_by_checks_beside_it() {
 fn a_layout_without_a_value_says_why() {
     let mut app = app((80, 24));
     press(&mut app, "<BackTab>s");
-    assert!(text(&app).contains("the punch is on an anchor plate"), "{}", text(&app));
+    assert!(text(&app).contains("the block is on an anchor plate"), "{}", text(&app));
 }
 
 #[test]

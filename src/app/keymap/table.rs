@@ -80,6 +80,8 @@ pub(super) const fn own(context: Context) -> &'static [Binding] {
 #[rustfmt::skip]
 const MAIN: &[Binding] = &[
     k(A::StepUp,         &[RIGHT, c('+')],                "step",        "increase the input by its small step"),
+    k(A::Help,           &[c('?'), F1],                   "help",        "this help"),
+    k(A::Quit,           &[c('q'), ctrl('c'), ctrl('q')], "quit",        "quit; asks when edits are unsaved"),
     k(A::StepDown,       &[LEFT],                         "",            "decrease the input by its small step"),
     k(A::CoarseUp,       &[c('>'), shift(Code::Right)],   "",            "increase the input by its large step"),
     k(A::CoarseDown,     &[c('<'), shift(Code::Left)],    "",            "decrease the input by its large step"),
@@ -95,8 +97,6 @@ const MAIN: &[Binding] = &[
     k(A::Clear,          &[DELETE, BACKSPACE],            "",            "clear the input: no design value, offset 0, factor 1"),
     k(A::NextLayout,     &[TAB, PAGE_DOWN],               "layout",      "next layout"),
     k(A::PreviousLayout, &[BACK_TAB, PAGE_UP],            "",            "previous layout"),
-    k(A::Help,           &[c('?'), F1],                   "help",        "this help"),
-    k(A::Quit,           &[c('q'), ctrl('c'), ctrl('q')], "quit",        "quit; asks when edits are unsaved"),
     k(A::Save,           &[ctrl('s')],                    "save",        "save; :w does the same where Ctrl+S does not arrive"),
     k(A::Check,          &[c('c')],                       "check",       "check this layout by simulation, over random alignments"),
     k(A::Live,           &[c('l')],                       "live",        "live: a quick check after each edit"),

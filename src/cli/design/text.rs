@@ -143,11 +143,11 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
 fn outcome(page: &Page, o: &CaseValue) -> String {
     match o {
         Ok(p) => say::point_at_load(p, page.unit, AT_LOAD),
-        Err(NoValue::Outside(NoField::PunchOnPlate)) => "the punch is on a plate".to_string(),
+        Err(NoValue::Outside(NoField::PunchOnPlate)) => "the block is on a plate".to_string(),
         Err(NoValue::Outside(NoField::PassesThrough)) => {
             "the block is smaller than the opening of the mesh".to_string()
         }
-        Err(NoValue::Senseless(_)) => "plate or punch is as large as the spacing".to_string(),
+        Err(NoValue::Senseless(_)) => "plate or block is as large as the spacing".to_string(),
     }
 }
 

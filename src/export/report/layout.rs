@@ -146,7 +146,7 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
             four(field::deflection_ratio(layout, branch)),
         );
         let (f, d) = pair(field::centred(layout, branch, forecast.reference));
-        row("centred punch".into(), f, d);
+        row("centred block".into(), f, d);
         let e = &forecast.eccentricity;
         let with_sd = |v: f64, sd: f64| {
             if sd > 0.0 { format!("{} \u{b1} {}", four(v), significant(sd, 2)) } else { four(v) }

@@ -14,7 +14,7 @@ pub(crate) fn equations(document: &mut ReportDocument) {
     document.say("Step 1, from the laboratory to the field reference ({d} = 0.32 m, {L} = 3.0 m, {D} = 1.0 m):");
     push(document, "{F_a*} = {alpha_F} {F_l*},  {delta_a*} = {alpha_delta} {delta_l*}", "step 1");
     document.say("For the double-twist reference mesh {alpha_F} = 29.1/73.3 (printed as 0.40) and {alpha_delta} = 1.08.");
-    document.say("Step 2, the layout of a centred punch; the first line for {D} ≤ {d} (small punch), the second for {D} > {d} (large punch):");
+    document.say("Step 2, the layout of a centred block; the first line for {D} ≤ {d} (small punch), the second for {D} > {d} (large punch):");
     push(
         document,
         "{F_a} = 2.47 {D} (0.48 {d} / 0.32 + 0.45) (0.16 {L} / 3 + 0.84) {F_a*}",
@@ -50,7 +50,7 @@ pub(crate) fn equations(document: &mut ReportDocument) {
 pub(crate) fn limits(document: &mut ReportDocument) {
     document.chapter("What the numbers are, and are not");
     let ranges = format!(
-        "Published ranges: plate {{d}} {}, spacing {{L}} {}, punch {{D}} {}, laboratory panel {{L_l}} {}. A number outside them is extrapolated and marked as such.",
+        "Published ranges: plate {{d}} {}, spacing {{L}} {}, block {{D}} {}, laboratory panel {{L_l}} {}. A number outside them is extrapolated and marked as such.",
         PLATE.text(),
         SPACING.text(),
         PUNCH.text(),
@@ -62,7 +62,7 @@ pub(crate) fn limits(document: &mut ReportDocument) {
         ours(&ranges),
         ours("{F_a} jumps where {D} = {d}. Near it both values are given, and a layout may choose the conservative one."),
         ours("At their own reference point the published relations return 0.93 {F_a*} and 0.98 {delta_a*} (27.1 kN and 0.635 m for the reference mesh). They are used as published."),
-        ours("A punch that overlaps an anchor plate is outside the method: there is no field value."),
+        ours("A block that overlaps an anchor plate is outside the method: there is no field value."),
         ours("Partial factors are those stated with each layout; they are 1 unless the project says otherwise."),
         ours("The laboratory curve in the charts has the published end point only; its shape is that of Eq. 3."),
     ]));

@@ -37,7 +37,7 @@ pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
     drawing.bold((24.0, 26.0), Anchor::Start, TEXT, "plan of the cell, to scale");
     let lines = [
         format!("plates (filled): d = {}", length(layout.plate, unit)),
-        format!("punch (circle): D = {}", length(layout.punch, unit)),
+        format!("block (circle): D = {}", length(layout.punch, unit)),
         format!("offset: ex = {}, ey = {}", length(layout.ex, unit), length(layout.ey, unit)),
     ];
     let mut y = 422.0;
