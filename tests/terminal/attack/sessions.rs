@@ -152,7 +152,7 @@ fn attack(steps: usize) {
         let pty = start(&path, name, down);
         User { name, path: path.clone(), down, label, word, least, typed: 0, saved: None, pty }
     };
-    let mut users = [user("anna", 1, "spacing", "L", 251), user("bert", 2, "punch", "D", 51)];
+    let mut users = [user("anna", 1, "spacing", "L", 251), user("bert", 2, "block", "D", 51)];
     let (mut at_once, mut both) = (0, 0);
     for _ in 0..steps {
         let who = chance.below(2);

@@ -18,7 +18,7 @@ fn a_file_that_changed_on_disk_is_noticed_and_can_be_read_anew() {
     fs::rename(path.with_extension("new"), &path).unwrap();
     pty.wait_for("changed on disk");
     pty.send(":reload\r");
-    pty.wait_for("punch        0.70");
+    pty.wait_for("block        0.70");
     pty.wait_until("no word of a change", |s| !s.contents().contains("changed on disk"));
     // With edits of one's own the save asks, and reading anew is one of the answers.
     fs::write(&path, &text).unwrap();
@@ -27,7 +27,7 @@ fn a_file_that_changed_on_disk_is_noticed_and_can_be_read_anew() {
     pty.send("\x13");
     pty.wait_for("r       read the file on disk anew");
     pty.send("r");
-    pty.wait_for("punch        0.60");
+    pty.wait_for("block        0.60");
     assert!(!pty.dump().contains("site.ron *"), "{}", pty.dump());
     pty.send("q");
     assert!(pty.wait_exit().success(), "{}", pty.dump());

@@ -76,7 +76,7 @@ fn the_second_session_reads_only_until_it_takes_the_file_over() {
     bert.wait_for("File held by another session");
     assert_eq!(fs::read_to_string(&path).unwrap(), SAMPLE);
     bert.send("\x1b");
-    bert.wait_for("punch        0.70");
+    bert.wait_for("block        0.70");
     bert.send(SAVE);
     bert.wait_for("t       take the file over");
     bert.send("t");
