@@ -133,12 +133,9 @@ impl Case {
     /// # Errors
     /// Why there are none.
     pub fn outcome(&self) -> CaseValue {
-        let Derived { forecast, answer } = self.derive().map_err(NoValue::Senseless)?;
+        let forecast = self.forecast().map_err(NoValue::Senseless)?;
         let field = forecast.field.map_err(NoValue::Outside)?;
-        // A field value has its answer.
-        let answer =
-            answer.unwrap_or_else(|| crate::forecast::design::answer(&field, &self.question));
-        Ok(CasePoint { field, answer, warnings: forecast.warnings })
+        Ok(CasePoint { field, answer: answer(&field, &self.asked()), warnings: forecast.warnings })
     }
 
     /// Deflection at which its check is expected to break until a run has told, m.

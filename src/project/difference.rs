@@ -2,6 +2,7 @@
 
 use super::schema::{NamedLayout, Project};
 use crate::case::Input;
+use crate::layout::Layout;
 use crate::units::LengthUnit;
 
 /// What the second has that the first has not, a line for the project and each layout: `bench 1: L 2.5 to
@@ -33,50 +34,58 @@ fn line(name: &str, fields: Vec<String>) -> Option<String> {
     (!fields.is_empty()).then(|| format!("{name}: {}", fields.join(", ")))
 }
 
+/// The words of what differs. Those who ask take the whole apart by its fields, so that a new one cannot
+/// be forgotten here.
+fn words<const N: usize>(fields: [(bool, &str); N]) -> impl Iterator<Item = String> {
+    fields.into_iter().filter(|(differs, _)| *differs).map(|(_, word)| word.to_owned())
+}
+
 fn project_fields(from: &Project, to: &Project) -> Vec<String> {
-    let mut fields = Vec::new();
-    let mut add = |differs: bool, word: &str| {
-        if differs {
-            fields.push(word.to_owned());
-        }
-    };
-    add(from.name != to.name, "name");
-    add(from.site != to.site, "site");
-    add(from.notes != to.notes, "notes");
-    add(from.meshes != to.meshes, "meshes");
-    add(from.display != to.display, "unit of lengths");
-    fields
+    // Layouts are told one by one.
+    let Project { version: _, name, site, title, notes, basis, meshes, layouts: _, display } = from;
+    let fields = words([
+        (*name != to.name, "name"),
+        (*site != to.site, "site"),
+        (*title != to.title, "head of the report"),
+        (*notes != to.notes, "notes"),
+        (*basis != to.basis, "basis of verdicts"),
+        (*meshes != to.meshes, "meshes"),
+        (*display != to.display, "unit of lengths"),
+    ]);
+    fields.collect()
 }
 
 fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<String> {
-    let mut fields = Vec::new();
-    for input in Input::LAYOUT {
-        let (before, after) = (from.get(input), to.get(input));
-        if before != after {
-            let text = |value: Option<f64>| {
-                value.map_or("none".to_owned(), |value| input.entry_text(value, unit))
-            };
-            let change = format!("{} {} to {}", input.word(), text(before), text(after));
-            fields.push(format!("{change} {}", input.unit(unit)).trim_end().to_owned());
-        }
-    }
-    let mut add = |differs: bool, word: &str| {
-        if differs {
-            fields.push(word.to_owned());
-        }
-    };
-    add(from.name != to.name, "name");
-    add(from.mesh != to.mesh, "mesh");
-    add(from.branch != to.branch, "branch");
-    add(from.overlay != to.overlay, "overlay");
-    add(from.note != to.note, "note");
-    add(from.check != to.check, "check");
-    fields
+    // Sizes and the question are the inputs.
+    let NamedLayout { uid: _, name, layout, mesh, branch, question: _, overlay, note, check } =
+        from;
+    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks } = layout;
+    let changed = Input::LAYOUT.into_iter().filter(|input| from.get(*input) != to.get(*input));
+    let inputs = changed.map(|input| {
+        let text = |value: Option<f64>| {
+            value.map_or("none".to_owned(), |value| input.entry_text(value, unit))
+        };
+        let (before, after) = (text(from.get(input)), text(to.get(input)));
+        let change = format!("{} {before} to {after} {}", input.word(), input.unit(unit));
+        change.trim_end().to_owned()
+    });
+    let fields = words([
+        (*name != to.name, "name"),
+        (*blocks != to.layout.blocks, "blocks"),
+        (*mesh != to.mesh, "mesh"),
+        (*branch != to.branch, "branch"),
+        (*overlay != to.overlay, "overlay"),
+        (*note != to.note, "note"),
+        (*check != to.check, "check"),
+    ]);
+    inputs.chain(fields).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::layout::Blocks;
+    use crate::study::verdict::Basis;
 
     #[test]
     fn fields_are_named_by_layout_and_layouts_by_name() {
@@ -84,14 +93,17 @@ mod tests {
         assert_eq!(difference(&from, &from), Vec::<String>::new());
         let mut to = from.clone();
         to.site = "north".into();
+        to.title.author = "A. Engineer".into();
+        to.basis = Basis::Mean;
         to.layouts[0].layout.spacing = 2.61;
         to.layouts[0].question.force = Some(20_000.0);
         to.layouts[0].note = "seen".into();
+        to.layouts[0].layout.blocks = Blocks::Mirrored;
         to.layouts.insert(0, from.layouts[0].duplicate("portal"));
         let words = [
-            "the project: site",
+            "the project: site, head of the report, basis of verdicts",
             "portal: added",
-            "reference: L 3.00 to 2.61 m, Fd none to 20 kN, note",
+            "reference: L 3.00 to 2.61 m, Fd none to 20 kN, blocks, note",
         ];
         assert_eq!(difference(&from, &to), words);
         assert_eq!(difference(&to, &from)[2], "portal: deleted");
