@@ -4,11 +4,13 @@
 //! - [`mod@bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob,
 //!   and cost against size.
 //! - [`arrangements`]: how the answer depends on how the blocks stand.
+//! - [`campaign`]: many single runs of random layouts, from which a method is derived.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub(crate) mod arrangements;
 pub mod bench;
 pub mod calibrate;
+pub(crate) mod campaign;
 pub(crate) mod convergence;
 pub(crate) mod paper;

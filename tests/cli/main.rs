@@ -1,6 +1,7 @@
 //! The built binary without a screen: results, errors, exit codes.
 
 mod bench;
+mod campaign;
 mod check;
 mod errors;
 mod exporting;

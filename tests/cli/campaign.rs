@@ -1,0 +1,103 @@
+//! Campaigns: kept as they are made, gone on with after any end, the same on any threads.
+
+use super::run;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Twenty lines.
+const SMALL: [&str; 6] = ["campaign", "--runs", "16", "--seed", "3", "--eccentric"];
+
+fn arguments<'a>(out: &'a str, threads: &'a str) -> Vec<&'a str> {
+    let mut all = SMALL.to_vec();
+    all.extend(["0.25", "--threads", threads, "--out", out]);
+    all
+}
+
+fn file(folder: &Path) -> PathBuf {
+    folder.join("campaign.jsonl")
+}
+
+/// What a campaign says that is made to its end; progress goes to standard error.
+fn good(arguments: &[&str]) -> String {
+    let ran = run(arguments);
+    assert_eq!(ran.code, 0, "{arguments:?}: {}", ran.err);
+    ran.out
+}
+
+/// Where the lines of a file end.
+fn ends(text: &[u8]) -> Vec<usize> {
+    text.iter().enumerate().filter(|(_, b)| **b == b'\n').map(|(at, _)| at + 1).collect()
+}
+
+#[test]
+fn a_campaign_that_was_cut_off_goes_on_to_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("c");
+    let said = good(&arguments(out.to_str().unwrap(), "1"));
+    assert!(said.contains("centred        12 runs:") && said.contains("laboratory"), "{said}");
+    let whole = fs::read(file(&out)).unwrap();
+    let ends = ends(&whole);
+    assert_eq!(ends.len(), 21, "a header and twenty lines");
+
+    // On two threads, into another folder.
+    let other = folder.path().join("two/threads");
+    good(&arguments(other.to_str().unwrap(), "2"));
+    assert!(fs::read(file(&other)).unwrap() == whole);
+
+    // In the header, behind it, and at every tenth line with a part of the next.
+    for (cut, threads) in [(5, "2"), (ends[0], "1"), (ends[10] + 40, "2"), (whole.len() - 1, "1")] {
+        fs::write(file(&out), &whole[..cut]).unwrap();
+        let mut all = arguments(out.to_str().unwrap(), threads);
+        all.push("--resume");
+        good(&all);
+        assert!(fs::read(file(&out)).unwrap() == whole, "cut at {cut}");
+    }
+}
+
+#[test]
+fn a_campaign_that_was_killed_goes_on_to_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, whole) = (folder.path().join("killed"), folder.path().join("whole"));
+    let all = arguments(out.to_str().unwrap(), "2");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_meshcast"))
+        .args(&all)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    while ends(&fs::read(file(&out)).unwrap_or_default()).len() < 6 {
+        assert!(start.elapsed() < Duration::from_secs(120));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let resumed: Vec<&str> = all.iter().copied().chain(["--resume"]).collect();
+    good(&resumed);
+    good(&arguments(whole.to_str().unwrap(), "1"));
+    assert!(fs::read(file(&out)).unwrap() == fs::read(file(&whole)).unwrap());
+}
+
+#[test]
+fn a_campaign_is_neither_overwritten_nor_mixed_with_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let small = ["campaign", "--runs", "1", "--eccentric", "0", "--out", out];
+    good(&small);
+    let kept = fs::read(file(folder.path())).unwrap();
+    let refused = |more: &[&str], said: &str| {
+        let all: Vec<&str> = small.iter().chain(more).copied().collect();
+        let ran = run(&all);
+        assert!(ran.code == 2 && ran.err.contains(said), "{}", ran.err);
+        assert_eq!(fs::read(file(folder.path())).unwrap(), kept);
+    };
+    refused(&[], "exists already and is not overwritten");
+    refused(&["--resume", "--seed", "7"], "seed 0 and not 7");
+    refused(&["--resume", "--blocks", "mirrored"], "blocks repeated and not mirrored");
+    refused(&["--resume", "--blocks", "worst"], "invalid value");
+    fs::write(file(folder.path()), "{}\nno campaign\n").unwrap();
+    let ran = run(&["campaign", "--runs", "1", "--resume", "--out", out]);
+    assert!(ran.code == 2 && ran.err.contains("line 1"), "{}", ran.err);
+}
