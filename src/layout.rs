@@ -1,7 +1,7 @@
 //! A layout: the geometry of anchors and punch that both the forecast and the check take.
 
 use crate::problem::Problem;
-use crate::units::shortest;
+use crate::units::{shortest, significant};
 use crate::words::Choice;
 
 /// How the blocks of a field stand.
@@ -36,30 +36,79 @@ impl Choice for Blocks {
     }
 }
 
-/// Anchors on a square grid and one punching element, all in metres.
+/// How the net hangs under the axes of a layout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Twists {
+    /// The twists run down the slope, along y.
+    #[default]
+    Down,
+    /// The twists run across the slope, along x.
+    Across,
+}
+
+impl Choice for Twists {
+    const ALL: &'static [Twists] = &[Twists::Down, Twists::Across];
+
+    fn word(self) -> &'static str {
+        match self {
+            Twists::Down => "down",
+            Twists::Across => "across",
+        }
+    }
+}
+
+/// What a grid of anchors has besides one spacing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Spacing up the slope, L_y, m, where two are given: [`Layout::spacing`] is L_x then. Without it the
+    /// grid has one spacing, L.
+    pub up: Option<f64>,
+    /// Whether every other row of anchors is shifted by half the spacing in the row.
+    pub stagger: bool,
+    /// How the net hangs.
+    pub twists: Twists,
+}
+
+impl Grid {
+    /// One spacing both ways, and the twists down the slope.
+    pub const SQUARE: Grid = Grid { up: None, stagger: false, twists: Twists::Down };
+}
+
+/// The grid of anchors and one punching element, all in metres.
 ///
-/// x runs across the twists of the net, y along them (down the slope). The symbols of Pol &
-/// Gabrieli (2021) stand beside the words.
+/// x is horizontal, y runs up the slope, whatever the net does. Row k of the anchors stands at y = k L_y,
+/// one block to each anchor. The symbols of Pol & Gabrieli (2021) stand beside the words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// Side of the square anchor plate, d, m; above 0 and below the spacing. Published range 0.16 to 0.48.
     pub plate: f64,
-    /// Anchor spacing, which is the side of the square panel, L, m; above 0. Published range 1.25 to 4.5.
+    /// Anchor spacing, L, or where two are given the horizontal one, L_x, m; above 0. Published range 1.25
+    /// to 4.5, of a square grid.
     pub spacing: f64,
     /// Diameter of the punching element, D, m; above 0 and below the spacing. Published range 0.1 to 2.5.
     pub punch: f64,
-    /// Offset of the punch from the panel's centre across the twists, e_x, m. Periodic with L.
+    /// Horizontal offset of the punch from the place farthest from all anchors ([`Layout::farthest`]), e_x, m.
     pub ex: f64,
-    /// Offset of the punch from the panel's centre along the twists, e_y, m. Periodic with L.
+    /// The same up the slope, e_y, m.
     pub ey: f64,
     /// How the blocks of other cells stand; the forecast takes it for what the paper had.
     pub blocks: Blocks,
+    /// What the grid has besides the spacing.
+    pub grid: Grid,
 }
 
 /// The layout at which the published reference values hold: d* = 0.32 m, L* = 3 m, D* = 1 m,
 /// centred (Pol & Gabrieli 2021, appendix).
-pub const REFERENCE: Layout =
-    Layout { plate: 0.32, spacing: 3.0, punch: 1.0, ex: 0.0, ey: 0.0, blocks: Blocks::Paper };
+pub const REFERENCE: Layout = Layout {
+    plate: 0.32,
+    spacing: 3.0,
+    punch: 1.0,
+    ex: 0.0,
+    ey: 0.0,
+    blocks: Blocks::Paper,
+    grid: Grid::SQUARE,
+};
 
 /// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -87,6 +136,9 @@ impl Choice for BranchRule {
 pub(crate) const SMALLEST_LENGTH: f64 = 1.0e-6;
 /// Largest length that is taken for a length and not for a slip of the keyboard, m.
 pub(crate) const LARGEST_LENGTH: f64 = 100.0;
+
+/// L_x / L_y of a staggered grid. Outside of it the place farthest from all anchors is another one.
+pub(crate) const STAGGERED: (f64, f64) = (0.5, 2.0);
 
 /// Part of half the spacing by which an offset may miss it and still be it.
 const ON_THE_LINE: f64 = 1.0e-9;
@@ -128,47 +180,138 @@ impl Layout {
                 });
             }
         };
-        let sound = self.spacing >= SMALLEST_LENGTH && self.spacing < LARGEST_LENGTH;
-        let (limit, limit_words) =
-            if sound { (self.spacing, "the spacing L = ") } else { (LARGEST_LENGTH, "") };
+        let sound = |side: f64| (SMALLEST_LENGTH..LARGEST_LENGTH).contains(&side);
+        let words =
+            if self.grid.up.is_some() { "the smaller spacing, " } else { "the spacing L = " };
+        let (limit, limit_words) = if self.sides().into_iter().all(sound) {
+            (self.least(), words)
+        } else {
+            (LARGEST_LENGTH, "")
+        };
         size("d", "plate side d", self.plate, limit, limit_words);
-        size("L", "spacing L", self.spacing, LARGEST_LENGTH, "");
+        match self.grid.up {
+            None => size("L", "spacing L", self.spacing, LARGEST_LENGTH, ""),
+            Some(up) => {
+                size("Lx", "spacing Lx", self.spacing, LARGEST_LENGTH, "");
+                size("Ly", "spacing Ly", up, LARGEST_LENGTH, "");
+            }
+        }
         size("D", "block diameter D", self.punch, limit, limit_words);
-        for (field, value) in [("ex", self.ex), ("ey", self.ey)] {
+        for ((field, value), side) in
+            [("ex", self.ex), ("ey", self.ey)].into_iter().zip(self.words())
+        {
             if !(value.is_finite() && value.abs() < LARGEST_LENGTH) {
                 let why =
                     if value.is_finite() { "is too large" } else { "must be a finite length" };
                 problems.push(
                     Problem::new(field, format!("offset {field} {why}"))
                         .value(length_value(value))
-                        .allowed("within half the spacing, -L/2 to L/2")
+                        .allowed(format!("within half the spacing, -{side}/2 to {side}/2"))
                         .advice("larger offsets are the same as a neighbouring cell's"),
                 );
             }
         }
+        let ratio = self.spacing / self.sides()[1];
+        if problems.is_empty() && self.grid.stagger && !(STAGGERED.0..=STAGGERED.1).contains(&ratio)
+        {
+            problems.push(
+                Problem::new(
+                    "stagger",
+                    "the rows of a staggered grid are too near or too far apart",
+                )
+                .value(format!("Lx/Ly = {}", significant(ratio, 3)))
+                .allowed(format!("{} to {}", STAGGERED.0, STAGGERED.1)),
+            );
+        }
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
 
-    /// The offsets brought within -L/2 to L/2, which is the same place in a neighbouring cell.
+    /// The spacings L_x and L_y, m.
+    pub fn sides(&self) -> [f64; 2] {
+        [self.spacing, self.grid.up.unwrap_or(self.spacing)]
+    }
+
+    /// What the two spacings are called.
+    pub(crate) fn words(&self) -> [&'static str; 2] {
+        if self.grid.up.is_some() { ["Lx", "Ly"] } else { ["L", "L"] }
+    }
+
+    /// The smaller spacing, m.
+    pub(crate) fn least(&self) -> f64 {
+        let [x, y] = self.sides();
+        x.min(y)
+    }
+
+    /// Area of a cell, which is the face that an anchor has, m2.
+    pub(crate) fn area(&self) -> f64 {
+        let [x, y] = self.sides();
+        x * y
+    }
+
+    /// Whether the anchors stand on a square grid, the one that published relations are for.
+    pub(crate) fn is_square(&self) -> bool {
+        let [x, y] = self.sides();
+        x == y && !self.grid.stagger
+    }
+
+    /// The place that is farthest from all anchors, from an anchor at a cell's lower left corner, m: the
+    /// cell's centre, or in a staggered grid the centre of the circle through three anchors,
+    /// L_x^2/(8 L_y) lower.
+    pub(crate) fn farthest(&self) -> [f64; 2] {
+        let [x, y] = self.sides();
+        let lower = if self.grid.stagger { x * x / (8.0 * y) } else { 0.0 };
+        [x / 2.0, y / 2.0 - lower]
+    }
+
+    /// How far the row of anchors so many above is shifted along x, m.
+    fn shift(&self, above: i32) -> f64 {
+        if self.grid.stagger && above % 2 != 0 { self.spacing / 2.0 } else { 0.0 }
+    }
+
+    /// Offsets with x across the twists and y along them, as a net has it; and those of a layout from
+    /// these: turning twice gives what was there.
+    pub(crate) fn turned<T: Copy>(&self, [x, y]: [T; 2]) -> [T; 2] {
+        if self.grid.twists == Twists::Across { [y, x] } else { [x, y] }
+    }
+
+    /// The offsets brought within half the spacings, which is the same place in a neighbouring cell.
     pub(crate) fn folded(&self) -> (f64, f64) {
-        (fold(self.ex, self.spacing), fold(self.ey, self.spacing))
+        let [x, y] = self.sides();
+        if !self.grid.stagger || self.ey.abs() <= y / 2.0 {
+            return (fold(self.ex, x), fold(self.ey, y));
+        }
+        // The next rows are shifted.
+        let rows = (self.ey / y).round();
+        (fold(self.ex - x * (rows / 2.0).fract(), x), self.ey - y * rows)
     }
 
     /// Whether mirrored blocks of neighbouring cells would overlap, and in which offset: |e| > (L - D)/2,
     /// but for half the spacing exactly, where the two are one block on the line.
     pub fn blocks_overlap(&self) -> Option<&'static str> {
         let (ex, ey) = self.folded();
-        let room = (self.spacing - self.punch) / 2.0;
-        let overlaps = |e: f64| e != 0.0 && e.abs() > room && !self.on_line(e);
-        [("ex", ex), ("ey", ey)].into_iter().find(|(_, e)| overlaps(*e)).map(|(name, _)| name)
+        let sides = self.sides();
+        let overlaps = |k: usize, e: f64| {
+            e != 0.0 && e.abs() > (sides[k] - self.punch) / 2.0 && !self.on_line(k, e)
+        };
+        [("ex", ex), ("ey", ey)]
+            .into_iter()
+            .enumerate()
+            .find(|(k, (_, e))| overlaps(*k, *e))
+            .map(|(_, (name, _))| name)
     }
 
-    /// Whether an offset is half the spacing.
-    pub(crate) fn on_line(&self, e: f64) -> bool {
-        (e.abs() * 2.0 / self.spacing - 1.0).abs() < ON_THE_LINE
+    /// Whether blocks may face each other: not on a staggered grid, and not where they would overlap.
+    pub(crate) fn can_face(&self) -> bool {
+        !self.grid.stagger && self.blocks_overlap().is_none()
     }
 
-    /// Where the block of the cell so many to the right and above stands from that cell's centre, m.
+    /// Whether an offset along x (0) or y (1) is half the spacing.
+    pub(crate) fn on_line(&self, axis: usize, e: f64) -> bool {
+        (e.abs() * 2.0 / self.sides()[axis] - 1.0).abs() < ON_THE_LINE
+    }
+
+    /// Where the block of the cell so many to the right and above stands from that cell's place that is
+    /// farthest from all anchors, m.
     pub fn offset_in(&self, right: i32, above: i32) -> (f64, f64) {
         let (ex, ey) = self.folded();
         let mirrored = self.facing();
@@ -176,31 +319,75 @@ impl Layout {
         (turn(ex, right), turn(ey, above))
     }
 
+    /// Where the block of the cell so many to the right and above stands from the centre of the first
+    /// cell, m.
+    pub(crate) fn block_in(&self, right: i32, above: i32) -> (f64, f64) {
+        let ([x, y], [_, zero]) = (self.sides(), self.farthest());
+        let (ex, ey) = self.offset_in(right, above);
+        (
+            ex + f64::from(right) * x + self.shift(above),
+            ey + (zero - y / 2.0) + f64::from(above) * y,
+        )
+    }
+
+    /// The anchor so many to the right of and above the lower left one of a cell, from the cell's centre, m.
+    pub(crate) fn anchor_in(&self, right: i32, above: i32) -> (f64, f64) {
+        let [x, y] = self.sides();
+        (f64::from(right) * x + self.shift(above) - x / 2.0, f64::from(above) * y - y / 2.0)
+    }
+
     /// Whether its blocks are drawn facing their neighbours: mirrored, or the worst where they can be.
     fn facing(&self) -> bool {
         match self.blocks {
             Blocks::Paper | Blocks::Repeated | Blocks::Single => false,
-            Blocks::Mirrored => true,
-            Blocks::Worst => self.blocks_overlap().is_none(),
+            Blocks::Mirrored => !self.grid.stagger,
+            Blocks::Worst => self.can_face(),
         }
     }
 
     /// Upper bound of what the worst anchor carries of the force on a block, where blocks face each other:
-    /// (1 + 2|ex|/L)(1 + 2|ey|/L), by the lever in each direction. Nothing where every anchor carries the
-    /// whole force of its cell, by statics.
+    /// (1 + 2|ex|/L_x)(1 + 2|ey|/L_y), by the lever in each direction. Nothing where every anchor carries
+    /// the whole force of its cell, by statics.
     pub(crate) fn facing_bound(&self) -> Option<f64> {
         let (ex, ey) = self.folded();
-        let lever = |e: f64| 1.0 + 2.0 * e.abs() / self.spacing;
-        (self.facing() && (ex, ey) != (0.0, 0.0)).then(|| lever(ex) * lever(ey))
+        let [x, y] = self.sides();
+        let lever = |e: f64, side: f64| 1.0 + 2.0 * e.abs() / side;
+        (self.facing() && (ex, ey) != (0.0, 0.0)).then(|| lever(ex, x) * lever(ey, y))
     }
 
     /// Distance from the punch's centre to the nearest anchor plate, m, periodic images included;
-    /// 0 if the centre stands on a plate. Plates stand at the corners of the panel.
+    /// 0 if the centre stands on a plate. Plates stand at the corners of the cell.
     pub fn distance_to_plate(&self) -> f64 {
         let (ex, ey) = self.folded();
-        let gap = |e: f64| (self.spacing / 2.0 - e.abs() - self.plate / 2.0).max(0.0);
-        let (gx, gy) = (gap(ex), gap(ey));
+        if self.grid.stagger {
+            let (x, y) = self.block_in(0, 0);
+            return self.apart_from_plate([x, y]);
+        }
+        let gap = |e: f64, side: f64| (side / 2.0 - e.abs() - self.plate / 2.0).max(0.0);
+        let [x, y] = self.sides();
+        let (gx, gy) = (gap(ex, x), gap(ey, y));
         (gx * gx + gy * gy).sqrt()
+    }
+
+    /// Distance from a place, given from the cell's centre, to the nearest plate, m.
+    pub(crate) fn apart_from_plate(&self, place: [f64; 2]) -> f64 {
+        let [side, height] = self.sides();
+        let gap = |v: f64| (v.abs() - self.plate / 2.0).max(0.0);
+        let below = ((place[1] + height / 2.0) / height).floor();
+        let to = [below, below + 1.0].map(|row| {
+            let (x, y) = self.anchor_in(0, row as i32);
+            let apart = place[0] - x;
+            gap(apart - side * (apart / side).round()).hypot(gap(place[1] - y))
+        });
+        to[0].min(to[1])
+    }
+
+    /// Distance from a place, given from the cell's centre, to the axis of the nearest block, m, where the same
+    /// block stands in every cell.
+    pub(crate) fn apart_from_block(&self, place: [f64; 2]) -> f64 {
+        let (x, y) = self.block_in(0, 0);
+        let apart = Layout { ex: place[0] - x, ey: place[1] - y, ..*self }.folded();
+        apart.0.hypot(apart.1)
     }
 
     /// Whether the punch overlaps an anchor plate or its periodic image, where the method does not

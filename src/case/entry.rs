@@ -51,9 +51,13 @@ impl Input {
                 let larger = if layout.punch >= layout.plate { "D" } else { "d" };
                 format!("above {larger} = {min}, below {max}{unit}")
             }
-            Range::BelowSpacing => format!("above 0, below L = {max}{unit}"),
+            Range::BelowSpacing => {
+                let [x, y] = layout.sides();
+                let spacing = layout.words()[usize::from(y < x)];
+                format!("above 0, below {spacing} = {max}{unit}")
+            }
             Range::UpTo(_) => format!("above 0, up to {max}{unit}"),
-            Range::HalfSpacing | Range::Between(..) => format!("{min} to {max}{unit}"),
+            Range::HalfSpacing(_) | Range::Between(..) => format!("{min} to {max}{unit}"),
         }
     }
 
@@ -111,7 +115,7 @@ impl Input {
         let rounded = on_grain(if up { value + step } else { value - step });
         match self.row().range {
             // Offsets stop at the cell's edge instead of refusing the last part of a step.
-            Range::HalfSpacing => {
+            Range::HalfSpacing(_) => {
                 let limits = self.row().range.limits(layout);
                 // A value outside (the spacing shrank) may still come back in.
                 rounded.clamp(limits.min.min(value), limits.max.max(value))

@@ -199,7 +199,7 @@ impl Input {
 /// Deflection at which a layout is expected to break until a run has told, m: its forecast's, or a fifth
 /// of the spacing where there is none.
 pub(crate) fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
-    forecast.map_or(0.2 * layout.spacing, |values| values.deflection)
+    forecast.map_or(0.2 * layout.least(), |values| values.deflection)
 }
 
 impl CasePoint {

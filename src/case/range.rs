@@ -10,8 +10,8 @@ pub(crate) enum Range {
     BelowSpacing,
     /// Above plate and punch, below the largest length.
     Spacing,
-    /// Within half the spacing on either side.
-    HalfSpacing,
+    /// Within half the spacing along x (0) or y (1) on either side.
+    HalfSpacing(usize),
     /// Above 0, up to this, SI.
     UpTo(f64),
     /// Between the two, both included, SI.
@@ -44,9 +44,12 @@ impl Range {
     /// The limits in a layout.
     pub(crate) fn limits(self, layout: &Layout) -> Limits {
         let (min, max, min_allowed, max_allowed) = match self {
-            Range::BelowSpacing => (0.0, layout.spacing, false, false),
+            Range::BelowSpacing => (0.0, layout.least(), false, false),
             Range::Spacing => (layout.plate.max(layout.punch), LARGEST_LENGTH, false, false),
-            Range::HalfSpacing => (-layout.spacing / 2.0, layout.spacing / 2.0, true, true),
+            Range::HalfSpacing(axis) => {
+                let half = layout.sides()[axis] / 2.0;
+                (-half, half, true, true)
+            }
             Range::UpTo(max) => (0.0, max, false, true),
             Range::Between(min, max) => (min, max, true, true),
         };
@@ -57,7 +60,7 @@ impl Range {
     pub(super) fn holds_alone(self, value: f64) -> bool {
         match self {
             Range::BelowSpacing | Range::Spacing => value > 0.0 && value < LARGEST_LENGTH,
-            Range::HalfSpacing => value.abs() < LARGEST_LENGTH,
+            Range::HalfSpacing(_) => value.abs() < LARGEST_LENGTH,
             Range::UpTo(max) => value > 0.0 && value <= max,
             Range::Between(min, max) => (min..=max).contains(&value),
         }
@@ -68,7 +71,7 @@ impl Range {
         match self {
             Range::BelowSpacing => "above 0, below the spacing L".into(),
             Range::Spacing => format!("above 0, below {LARGEST_LENGTH} m"),
-            Range::HalfSpacing => "-L/2 to L/2".into(),
+            Range::HalfSpacing(_) => "-L/2 to L/2".into(),
             Range::UpTo(max) => format!("above 0, up to {}", measured(max, quantity)),
             Range::Between(min, max) => format!("{min} to {}", measured(max, quantity)),
         }
@@ -78,7 +81,7 @@ impl Range {
     pub(super) fn alone(self, quantity: Quantity) -> String {
         match self {
             Range::BelowSpacing => Range::Spacing.text(quantity),
-            Range::HalfSpacing => {
+            Range::HalfSpacing(_) => {
                 format!("-{LARGEST_LENGTH} m to {LARGEST_LENGTH} m; -L/2 to L/2 is the whole cell")
             }
             _ => self.text(quantity),

@@ -23,11 +23,11 @@ const NEAR: f64 = 0.01;
 /// the middle of an edge.
 pub(crate) fn suspect(spec: &SceneSpec) -> bool {
     let (ex, ey) = spec.layout.folded();
-    let symmetric = |e: f64| {
-        let half = spec.layout.spacing / 2.0;
-        e.abs() < NEAR || (spec.test == Test::Anchored && half - e.abs() < NEAR)
+    let symmetric = |e: f64, side: f64| {
+        e.abs() < NEAR || (spec.test == Test::Anchored && side / 2.0 - e.abs() < NEAR)
     };
-    spec.layout.punch < SMALL_PUNCH && symmetric(ex) && symmetric(ey)
+    let [x, y] = spec.layout.sides();
+    spec.layout.punch < SMALL_PUNCH && symmetric(ex, x) && symmetric(ey, y)
 }
 
 /// Forces at the first break (or the peak of a run that slipped), N, at the given place and beside it.

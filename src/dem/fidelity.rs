@@ -184,7 +184,7 @@ impl Controls {
             let slow = match self.speed {
                 Some(speed) => ("speed", speed),
                 None if layout.punch < SMALL.1 => ("D", layout.punch),
-                None => ("L", layout.spacing),
+                None => (layout.words()[0], layout.least()),
             };
             let steps = self.limit_of(scene) / scheme.travel;
             problems.extend(limits::of_run(&scene.lattice, steps, slow));
@@ -228,6 +228,6 @@ const SMALL: (f64, f64) = (2.2, 0.5);
 /// Factor on the punch's speed for small scenes; the reference fidelity is slow enough for all.
 fn smallness(scene: &Scene, full: bool) -> f64 {
     let layout = &scene.spec.layout;
-    let part = (layout.spacing / SMALL.0).min(1.0) * (layout.punch / SMALL.1).min(1.0);
+    let part = (layout.least() / SMALL.0).min(1.0) * (layout.punch / SMALL.1).min(1.0);
     if full { 1.0 } else { part }
 }

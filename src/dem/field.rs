@@ -1,9 +1,13 @@
 //! The field: how many cells of the anchored test are simulated together, and where a block stands in
 //! each of them.
 //!
-//! x runs across the twists, y along them. Each cell has an anchor at its corner (half a cell to the left
-//! of and below its centre), and is a whole number of the net's periods, so that all plates catch the same
-//! pattern of nodes. The field goes on beyond its edges.
+//! Here x runs across the twists and y along them, whatever the layout's axes do: where the twists run across
+//! the slope the two are exchanged on the way in, and places and forces on the way out ([`Field::turned`]).
+//!
+//! Each cell is a whole number of the net's periods and has an anchor at its corner (half a cell to the left
+//! of and below its centre), so that all plates catch the same pattern of nodes. In a staggered grid the
+//! anchor of every other cell of a row or column, and its block with it, stands half a cell further; two such
+//! cells repeat, and their two plates may catch two patterns. The field goes on beyond its edges.
 
 use crate::layout::Layout;
 use crate::problem::Problem;
@@ -12,14 +16,15 @@ use crate::units::shortest;
 /// How the blocks stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrangement {
-    /// The same block at the same place in every cell; so many cells in x and y are simulated. One cell
-    /// tells all where the wires are alike; more are there to be compared with as many mirrored ones.
+    /// The same block at the same place in every cell; so many cells in x and y are simulated, and in a
+    /// staggered grid twice as many. One cell tells all where the wires are alike; more are there to be
+    /// compared with as many mirrored ones.
     Repeated([usize; 2]),
     /// The block of cell (i, j) stands at ((-1)^i ex, (-1)^j ey) from its centre: blocks of neighbours face
     /// each other across the line of anchors between them. Two cells in each direction in which the block
     /// has an offset. The net is not mirrored.
     Mirrored,
-    /// One block in a field of n x n cells.
+    /// One block in a field of n x n cells; of a staggered grid n x (n + 1), which its rows need to close.
     Single(usize),
 }
 
@@ -39,8 +44,19 @@ pub(super) const MOST_BLOCKS: usize = 8;
 pub struct Block {
     /// Column and row of its cell.
     pub cell: [usize; 2],
-    /// Its axis, from that cell's corner, m.
+    /// Its axis, from that cell's corner, m; in a shifted cell of a staggered grid it may lie in the next one.
     pub axis: [f64; 2],
+}
+
+/// The anchors of a staggered field: rows of them, in each of which they stand the same distance apart, and
+/// every other row shifted by half of that. Where columns of cells are shifted and not rows, these rows are
+/// half a cell apart and have an anchor in every other cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Staggered {
+    /// Along which axis cells are shifted.
+    axis: usize,
+    /// Distance of anchors in a row, and of rows, m.
+    pitch: [f64; 2],
 }
 
 /// The cells of a field and its blocks.
@@ -54,15 +70,30 @@ pub struct Field {
     pub mirrored: [bool; 2],
     /// Its blocks; never none.
     pub blocks: Vec<Block>,
+    /// Anchors in a row, and rows of them.
+    pub(super) rows: [usize; 2],
+    /// How the grid is staggered, if it is.
+    staggered: Option<Staggered>,
+    /// Whether the layout's axes are exchanged here, because its twists run across the slope.
+    across: bool,
 }
 
 impl Field {
     /// One cell with one block, which is also the panel of the laboratory test.
     pub(super) fn one(layout: &Layout) -> Field {
-        let side = layout.spacing;
-        let axis = [side / 2.0 + layout.ex, side / 2.0 + layout.ey];
-        let blocks = vec![Block { cell: [0, 0], axis }];
-        Field { cell: [side, side], cells: [1, 1], mirrored: [false; 2], blocks }
+        let cell = layout.turned(layout.sides());
+        let (farthest, offset) =
+            (layout.turned(layout.farthest()), layout.turned([layout.ex, layout.ey]));
+        let axis = [0, 1].map(|k| farthest[k] + offset[k]);
+        Field {
+            cell,
+            cells: [1, 1],
+            mirrored: [false; 2],
+            blocks: vec![Block { cell: [0, 0], axis }],
+            rows: [1, 1],
+            staggered: None,
+            across: layout.turned([false, true])[0],
+        }
     }
 
     /// The field of an anchored test.
@@ -77,7 +108,7 @@ impl Field {
         match arrangement {
             Arrangement::Repeated(cells) => {
                 allow(cells)?;
-                field.cells = cells;
+                field.stagger(layout, cells, |n| 2 * n);
                 field.fill(layout);
                 if field.blocks.len() > MOST_BLOCKS {
                     return Err(vec![
@@ -87,25 +118,44 @@ impl Field {
                 }
             }
             Arrangement::Mirrored => {
+                facing(layout)?;
                 let (ex, ey) = layout.folded();
-                field.mirrored = [ex != 0.0, ey != 0.0];
+                field.mirrored = layout.turned([ex != 0.0, ey != 0.0]);
                 field.cells = field.mirrored.map(|doubled| if doubled { 2 } else { 1 });
-                overlap(layout)?;
+                field.rows = field.cells;
                 field.fill(layout);
             }
             Arrangement::Single(n) => {
                 allow([n, n])?;
-                field.cells = [n, n];
+                field.stagger(layout, [n, n], |n| n + 1);
             }
         }
         Ok(field)
     }
 
+    /// Makes the field so many cells; of a staggered grid `even` of them from row to row.
+    fn stagger(&mut self, layout: &Layout, cells: [usize; 2], even: impl Fn(usize) -> usize) {
+        (self.cells, self.rows) = (cells, cells);
+        if !layout.grid.stagger {
+            return;
+        }
+        let [axis, other] = if self.across { [1, 0] } else { [0, 1] };
+        self.cells[other] = even(cells[other]);
+        let mut pitch = self.cell;
+        self.rows = self.cells;
+        if self.across {
+            pitch = [2.0 * self.cell[0], self.cell[1] / 2.0];
+            self.rows = [self.cells[0] / 2, 2 * self.cells[1]];
+        }
+        self.staggered = Some(Staggered { axis, pitch });
+    }
+
     /// Puts the blocks into the cells; those of two cells at one place are one block.
     fn fill(&mut self, layout: &Layout) {
-        let offset = [layout.ex, layout.ey];
-        let side = self.cell;
-        let shared = [0, 1].map(|k| self.mirrored[k] && layout.on_line(offset[k]));
+        let offset = layout.turned([layout.ex, layout.ey]);
+        let on_line = layout.turned([layout.on_line(0, layout.ex), layout.on_line(1, layout.ey)]);
+        let farthest = layout.turned(layout.farthest());
+        let shared = [0, 1].map(|k| self.mirrored[k] && on_line[k]);
         self.blocks.clear();
         for j in 0..self.cells[1] {
             for i in 0..self.cells[0] {
@@ -115,10 +165,19 @@ impl Field {
                 }
                 let axis = [0, 1].map(|k| {
                     let turned = self.mirrored[k] && cell[k] % 2 == 1;
-                    side[k] / 2.0 + if turned { -offset[k] } else { offset[k] }
+                    let place = farthest[k] + if turned { -offset[k] } else { offset[k] };
+                    place + self.shift(k, cell)
                 });
                 self.blocks.push(Block { cell, axis });
             }
+        }
+    }
+
+    /// How far a cell's anchor and block are shifted along an axis, m.
+    fn shift(&self, axis: usize, cell: [usize; 2]) -> f64 {
+        match self.staggered {
+            Some(grid) if grid.axis == axis && cell[1 - axis] % 2 == 1 => self.cell[axis] / 2.0,
+            _ => 0.0,
         }
     }
 
@@ -129,7 +188,32 @@ impl Field {
 
     /// Number of anchors, one for each cell.
     pub fn anchors(&self) -> usize {
-        self.cells[0] * self.cells[1]
+        self.rows[0] * self.rows[1]
+    }
+
+    /// Cells after which the anchors repeat.
+    pub(super) fn repeats(&self) -> [usize; 2] {
+        match self.staggered {
+            Some(Staggered { axis: 0, .. }) => [1, 2],
+            Some(_) => [2, 1],
+            None => [1, 1],
+        }
+    }
+
+    /// Where an anchor stands, by its number (row by row), from the field's corner, m; in the layout's axes.
+    pub(super) fn anchor(&self, number: usize) -> [f64; 2] {
+        let at = [number % self.rows[0], number / self.rows[0]].map(|n| n as f64);
+        self.turned(match self.staggered {
+            None => [0, 1].map(|k| self.cell[k] * at[k]),
+            Some(Staggered { pitch, .. }) => {
+                [pitch[0] * (at[0] + 0.5 * (at[1] % 2.0)), pitch[1] * at[1]]
+            }
+        })
+    }
+
+    /// A vector of the field's plane in the layout's axes.
+    pub(super) fn turned<T: Copy>(&self, [x, y]: [T; 2]) -> [T; 2] {
+        if self.across { [y, x] } else { [x, y] }
     }
 
     /// A place, given from its cell's corner, seen from a block's axis, m; the nearest image of the block.
@@ -150,42 +234,69 @@ impl Field {
         })
     }
 
-    /// The anchor nearest to a place, given from its cell's corner, by its column and row; and the place
-    /// seen from it, m.
+    /// The anchor nearest to a place, given from its cell's corner, by its number in a row and the row; and
+    /// the place seen from it, m. In a staggered grid it is the nearest one of the nearest row, which is the
+    /// one whose plate a held node is on.
     pub(super) fn nearest_anchor(
         &self,
         place: [f64; 2],
         cell: [usize; 2],
     ) -> ([usize; 2], [f64; 2]) {
-        let further = [0, 1].map(|k| (place[k] / self.cell[k]).round());
-        let anchor = [0, 1].map(|k| {
-            let cells = self.cells[k] as i64;
-            (cell[k] as i64 + further[k] as i64).rem_euclid(cells) as usize
-        });
-        (anchor, [0, 1].map(|k| place[k] - self.cell[k] * further[k]))
+        let Some(Staggered { pitch, .. }) = self.staggered else {
+            let further = [0, 1].map(|k| (place[k] / self.cell[k]).round());
+            let anchor = [0, 1].map(|k| wrapped(cell[k] as f64 + further[k], self.cells[k]));
+            return (anchor, [0, 1].map(|k| place[k] - self.cell[k] * further[k]));
+        };
+        let from_corner = [0, 1].map(|k| place[k] + self.cell[k] * cell[k] as f64);
+        let row = (from_corner[1] / pitch[1]).round();
+        let (number, x) = self.nearest_in_row(from_corner[0], row);
+        let seen = [x, from_corner[1] - pitch[1] * row];
+        ([number, wrapped(row, self.rows[1])], seen)
+    }
+
+    /// Which anchor of a row is nearest to a place along it, given from the field's corner; and the place
+    /// seen from it, m.
+    pub(super) fn nearest_in_row(&self, x: f64, row: f64) -> (usize, f64) {
+        let (pitch, shift) = match self.staggered {
+            Some(Staggered { pitch, .. }) => (pitch[0], 0.5 * row.rem_euclid(2.0)),
+            None => (self.cell[0], 0.0),
+        };
+        let number = (x / pitch - shift).round();
+        (wrapped(number, self.rows[0]), x - pitch * (number + shift))
     }
 
     /// A place, given from the field's corner, as the block of its cell has it: from that cell's centre, m,
     /// and turned round where its cell is a mirror image. Of a field with one block, from the centre of the
-    /// block's cell.
+    /// block's cell. In the layout's axes.
     pub(super) fn as_its_block(&self, place: [f64; 2]) -> [f64; 2] {
         let alone = self.blocks.len() == 1;
-        [0, 1].map(|k| {
+        let cell = [0, 1].map(|k| {
+            (place[k] / self.cell[k]).floor().clamp(0.0, self.cells[k] as f64 - 1.0) as usize
+        });
+        self.turned([0, 1].map(|k| {
             let side = self.cell[k];
             let cells = self.cells[k] as f64;
             let from_centre = place[k] - side / 2.0;
-            if self.cells[k] == 1 {
+            if self.cells[k] == 1 && self.staggered.is_none() {
                 return from_centre;
             }
             if alone && !self.mirrored[k] {
                 let size = side * cells;
                 return from_centre - size * (from_centre / size).round();
             }
-            let cell = (place[k] / side).floor().clamp(0.0, cells - 1.0);
-            let within = from_centre - side * cell;
-            if self.mirrored[k] && cell % 2.0 == 1.0 { -within } else { within }
-        })
+            let within = from_centre - side * cell[k] as f64;
+            match self.shift(k, cell) {
+                0.0 if self.mirrored[k] && cell[k] % 2 == 1 => -within,
+                0.0 => within,
+                shift => within - shift - side * ((within - shift) / side).round(),
+            }
+        }))
     }
+}
+
+/// A number of a ring of so many.
+fn wrapped(number: f64, of: usize) -> usize {
+    (number as i64).rem_euclid(of as i64) as usize
 }
 
 fn allow(cells: [usize; 2]) -> Result<(), Vec<Problem>> {
@@ -202,13 +313,24 @@ fn allow(cells: [usize; 2]) -> Result<(), Vec<Problem>> {
 /// What is said of mirrored blocks that would overlap.
 pub(crate) const OVERLAP: &str = "mirrored blocks of neighbouring cells would overlap";
 
-fn overlap(layout: &Layout) -> Result<(), Vec<Problem>> {
+/// What is said of mirrored blocks on a staggered grid.
+pub(crate) const NO_MIRROR: &str =
+    "blocks of a staggered grid have no anchor line to face each other across";
+
+/// Whether blocks can face each other.
+fn facing(layout: &Layout) -> Result<(), Vec<Problem>> {
+    if layout.grid.stagger {
+        return Err(vec![
+            Problem::new("blocks", NO_MIRROR).value("mirrored").allowed("repeated, single, worst"),
+        ]);
+    }
     let Some(field) = layout.blocks_overlap() else { return Ok(()) };
-    let value = if field == "ex" { layout.ex } else { layout.ey };
+    let (axis, value) = if field == "ex" { (0, layout.ex) } else { (1, layout.ey) };
+    let (side, word) = (layout.sides()[axis], layout.words()[axis]);
     Err(vec![Problem::new(field, OVERLAP).value(format!("{} m", shortest(value))).allowed(
         format!(
-            "within (L - D)/2 = {} m, or half the spacing exactly: one block on the line",
-            shortest((layout.spacing - layout.punch) / 2.0)
+            "within ({word} - D)/2 = {} m, or half the spacing exactly: one block on the line",
+            shortest((side - layout.punch) / 2.0)
         ),
     )])
 }

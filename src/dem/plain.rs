@@ -141,7 +141,7 @@ impl Plain {
                 let (places, cell) = scene.in_its_cell(row, column);
                 anchor.extend(places.map(|place| {
                     let ([column, row], _) = field.nearest_anchor(place, cell);
-                    row * field.cells[0] + column
+                    row * field.rows[0] + column
                 }));
             }
         }

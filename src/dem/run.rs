@@ -351,7 +351,6 @@ impl<'a> Run<'a> {
         let count = self.pulled.last().map_or(0, Vec::len);
         (0..count)
             .map(|anchor| {
-                let cell = [anchor % field.cells[0], anchor / field.cells[0]];
                 let force = [0, 1, 2].map(|k| {
                     let points: Vec<(f64, f64)> = lately
                         .iter()
@@ -363,7 +362,8 @@ impl<'a> Run<'a> {
                     let (slope, mean, force) = line_of(&points);
                     force + slope * (at - mean)
                 });
-                AnchorForce { place: [0, 1].map(|k| field.cell[k] * cell[k] as f64), force }
+                let ([x, y], z) = (field.turned([force[0], force[1]]), force[2]);
+                AnchorForce { place: field.anchor(anchor), force: [x, y, z] }
             })
             .collect()
     }
@@ -488,7 +488,7 @@ impl<'a> Run<'a> {
                 bonds: self.scene.lattice.bonds(),
             },
             skipped: Vec::new(),
-            stretch: self.scene.lattice.stretch,
+            stretch: self.scene.field.turned(self.scene.lattice.stretch),
             net: self.net,
             anchors: self.anchors,
             repeated: false,

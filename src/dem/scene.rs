@@ -86,22 +86,21 @@ impl Scene {
     pub fn new(spec: &SceneSpec) -> Result<Scene, Vec<Problem>> {
         check(spec)?;
         let (layout, net) = (&spec.layout, &spec.wire.net);
-        let size = layout.spacing;
         let mut field = match spec.test {
             Test::Anchored => Field::anchored(layout, spec.arrangement)?,
             Test::Laboratory => Field::one(layout),
         };
         let lattice = match spec.test {
             Test::Anchored => Lattice::cells(net, field.cell, field.cells, spec.phase),
-            Test::Laboratory => Lattice::panel(net, size),
+            Test::Laboratory => Lattice::panel(net, layout.spacing),
         };
-        if let Some(problem) = limits::of_net(&lattice, size) {
+        if let Some(problem) = limits::of_net(&lattice, layout.least()) {
             return Err(vec![problem]);
         }
         if lattice.columns < 4 * field.cells[0] || lattice.rows < 4 * field.cells[1] {
             return Err(vec![
-                Problem::new("L", "the panel is too small for a net of this mesh")
-                    .value(format!("{} m", shortest(size)))
+                Problem::new(layout.words()[0], "the panel is too small for a net of this mesh")
+                    .value(format!("{} m", shortest(layout.least())))
                     .allowed("at least four openings and two periods along the twists"),
             ]);
         }
@@ -228,13 +227,21 @@ fn check(spec: &SceneSpec) -> Result<(), Vec<Problem>> {
     let mut layout = spec.layout;
     if spec.test == Test::Laboratory {
         layout.plate = layout.spacing / 2.0; // There are no plates: their size is not judged.
+        if !layout.is_square() {
+            problems.push(
+                Problem::new("Ly", "the laboratory's panel is square and has no anchors")
+                    .allowed("one spacing L, its side, and no stagger"),
+            );
+        }
     }
     if let Err(found) = layout.check() {
         problems.extend(found);
-    } else if layout.spacing > LARGEST_PANEL {
+    } else if let Some((word, side)) =
+        layout.words().into_iter().zip(layout.sides()).find(|(_, side)| *side > LARGEST_PANEL)
+    {
         problems.push(
-            Problem::new("L", "the panel is too large to simulate")
-                .value(format!("{} m", shortest(layout.spacing)))
+            Problem::new(word, "the panel is too large to simulate")
+                .value(format!("{} m", shortest(side)))
                 .allowed(format!("up to {LARGEST_PANEL} m")),
         );
     } else if spec.test == Test::Anchored && layout.punch_on_plate() {
@@ -275,14 +282,16 @@ const CELL_COUNTERS: u64 = 1 << 40;
 /// A length below which two places are the same, m: far above rounding, far below a wire.
 const SAME: f64 = 1.0e-9;
 
-/// Nodes within the square plates at the cell's corners.
+/// Nodes within the square plates at the anchors.
 fn plates(lattice: &Lattice, field: &Field, side: f64) -> Vec<[bool; 2]> {
-    let (columns, rows) = (lattice.columns / field.cells[0], lattice.rows / field.cells[1]);
+    let [right, up] = field.repeats();
+    let (columns, rows) =
+        (right * lattice.columns / field.cells[0], up * lattice.rows / field.cells[1]);
     let on_plate = |place: [f64; 2]| {
         let (_, seen) = field.nearest_anchor(place, [0, 0]);
         seen.iter().all(|x| x.abs() <= side / 2.0 + SAME)
     };
-    // As in the first cell, so that all plates catch the same pattern to the last node.
+    // As in the first cells, so that all plates catch the same pattern to the last node.
     (0..lattice.rows)
         .flat_map(|i| (0..lattice.columns).map(move |j| (i % rows, j % columns)))
         .map(|(i, j)| [on_plate(lattice.bottom(i, j)), on_plate(lattice.top(i, j))])

@@ -46,7 +46,7 @@ impl Question {
     /// The same question with the load as a force on this panel: a pressure acts on the area of the
     /// cell, and so follows the spacing.
     pub(crate) fn on(&self, layout: &Layout) -> Question {
-        let of_area = self.pressure.map(|p| p * layout.spacing * layout.spacing);
+        let of_area = self.pressure.map(|p| p * layout.area());
         Question { force: self.force.or(of_area), pressure: None, ..*self }
     }
 }

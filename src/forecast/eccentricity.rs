@@ -172,9 +172,11 @@ impl Map {
         &self.sources
     }
 
-    /// The factors of a layout. Offsets are periodic with L and even; a centred punch has exactly 1.
+    /// The factors of a layout on a square grid; the map's x is across the twists. Offsets are periodic with L
+    /// and even; a centred punch has exactly 1.
     pub(crate) fn at(&self, layout: &Layout) -> Eccentricity {
-        self.at_ratio(layout.ex / layout.spacing, layout.ey / layout.spacing)
+        let [ex, ey] = layout.turned([layout.ex, layout.ey]);
+        self.at_ratio(ex / layout.spacing, ey / layout.spacing)
     }
 
     /// The factors at offsets ex/L, ey/L.

@@ -2,7 +2,7 @@
 
 use super::design::Question;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::layout::{BranchRule, Layout};
+use crate::layout::{BranchRule, Layout, Twists};
 use crate::mesh::MeshType;
 use crate::words::Choice;
 
@@ -26,6 +26,9 @@ pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> F
         .number(lab.punch)
         .with("ex", layout.ex, 0.0)
         .with("ey", layout.ey, 0.0)
+        .given("Ly", layout.grid.up.filter(|up| *up != layout.spacing))
+        .with("stagger", layout.grid.stagger, false)
+        .with("twists", layout.grid.twists.word(), Twists::Down.word())
         .with("branch", rule.word(), BranchRule::Published.word())
         .with("reference", mesh.reference, false)
         .with("example", mesh.example, false)

@@ -77,6 +77,8 @@ pub enum NoField {
     PunchOnPlate,
     /// The block is smaller than the opening of the mesh.
     PassesThrough,
+    /// The anchors stand on no square grid, for which there is no published relation.
+    Grid,
 }
 
 impl NoField {
@@ -85,6 +87,7 @@ impl NoField {
         match self {
             NoField::PunchOnPlate => "punch_on_plate",
             NoField::PassesThrough => "passes_through",
+            NoField::Grid => "grid_without_relation",
         }
     }
 
@@ -93,6 +96,7 @@ impl NoField {
         match self {
             NoField::PunchOnPlate => "on plate",
             NoField::PassesThrough => "through",
+            NoField::Grid => "grid",
         }
     }
 
@@ -104,6 +108,9 @@ impl NoField {
             }
             NoField::PassesThrough => {
                 "no field value: the block is smaller than the opening of the mesh and passes through"
+            }
+            NoField::Grid => {
+                "no field value: no relation is published for rectangular or staggered grids; the check answers"
             }
         }
     }
@@ -229,6 +236,9 @@ pub fn forecast(
     } else if let Some(opening) = opening.filter(|opening| layout.punch < *opening) {
         warnings.push(Warning::PassesThrough { block: layout.punch, opening });
         Err(NoField::PassesThrough)
+    } else if !layout.is_square() {
+        warnings.push(Warning::GridWithoutRelation { stagger: layout.grid.stagger });
+        Err(NoField::Grid)
     } else {
         Ok(field_values(layout, reference, &eccentricity, rule))
     };
@@ -282,7 +292,9 @@ fn mesh_warnings(mesh: &MeshType, ratios: &Ratios, warnings: &mut Vec<Warning>) 
 
 fn range_warnings(layout: &Layout, warnings: &mut Vec<Warning>) {
     push_range(warning::PLATE, layout.plate, warnings);
-    push_range(warning::SPACING, layout.spacing, warnings);
+    if layout.is_square() {
+        push_range(warning::SPACING, layout.spacing, warnings);
+    }
     push_range(warning::PUNCH, layout.punch, warnings);
     let (ex, ey) = layout.folded();
     if (ex, ey) != (layout.ex, layout.ey) {
@@ -315,7 +327,9 @@ fn field_warnings(
             deflection: e.deflection_sd / e.deflection,
         });
     }
-    if *layout == layout::REFERENCE {
+    // Blocks of other cells change no forecast, nor does how the net hangs under a centred one.
+    let point = layout::REFERENCE;
+    if (Layout { grid: point.grid, blocks: point.blocks, ..*layout }) == point {
         warnings.push(Warning::ReferencePoint {
             force: field.values.force,
             deflection: field.values.deflection,

@@ -71,6 +71,11 @@ pub enum Warning {
         /// Distance between two twists, m.
         opening: f64,
     },
+    /// The anchors stand on no square grid.
+    GridWithoutRelation {
+        /// Whether its rows are shifted.
+        stagger: bool,
+    },
     /// The laboratory record is far from what such tests give.
     ImplausibleLaboratory {
         /// Its force, N.
@@ -143,6 +148,7 @@ impl Warning {
             },
             Warning::PunchOnPlate { .. } => NoField::PunchOnPlate.code(),
             Warning::PassesThrough { .. } => NoField::PassesThrough.code(),
+            Warning::GridWithoutRelation { .. } => NoField::Grid.code(),
             Warning::ImplausibleLaboratory { .. } => "implausible_laboratory",
             Warning::NearBranchChange { .. } => "near_branch_change",
             Warning::EccentricityUncertain { .. } => "eccentricity_uncertain",
@@ -158,7 +164,9 @@ impl Warning {
     /// How much it weighs.
     pub(crate) fn weight(&self) -> Weight {
         match self {
-            Warning::PunchOnPlate { .. } | Warning::PassesThrough { .. } => Weight::Outside,
+            Warning::PunchOnPlate { .. }
+            | Warning::PassesThrough { .. }
+            | Warning::GridWithoutRelation { .. } => Weight::Outside,
             Warning::EccentricityFolded { .. }
             | Warning::PanelConverted { .. }
             | Warning::ReferencePoint { .. } => Weight::Note,
@@ -174,6 +182,7 @@ impl Warning {
             }
             Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
             Warning::PassesThrough { .. } => "block below the mesh opening".into(),
+            Warning::GridWithoutRelation { .. } => "no relation for this grid".into(),
             Warning::ImplausibleLaboratory { force, deflection } => format!(
                 "laboratory {} kN, {}: units?",
                 significant(force / 1000.0, 3),
@@ -215,6 +224,10 @@ impl Warning {
                 "the block of {} is smaller than the opening of the mesh, {}: it passes through, no field value",
                 m(*block),
                 m(*opening)
+            ),
+            Warning::GridWithoutRelation { stagger } => format!(
+                "the published relations are for anchors on a square grid and this one is {}: no field value; the check answers",
+                if *stagger { "staggered" } else { "rectangular" }
             ),
             Warning::ImplausibleLaboratory { force, deflection } => format!(
                 "the laboratory record of {} kN at {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",

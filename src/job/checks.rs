@@ -115,7 +115,7 @@ impl Checks {
         let mut runs = seen.runs.clone();
         runs.sort_by_key(|(k, _)| *k);
         let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
-        let relief = net.map(|net| Relief::from_net(net, target.case.layout.spacing));
+        let relief = net.map(|net| Relief::from_net(net, &target.case.layout));
         let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
         let wire = wires(&target.case.mesh).ok()?;
         let inputs = fingerprint(&target.case.layout, wire, &self.wanted);

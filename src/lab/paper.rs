@@ -294,7 +294,7 @@ fn facing_rows(made: &[Ensemble]) -> Vec<PaperRow> {
         let paper = [from_kn(test.dem.force.value()), test.dem.deflection.value()];
         let mut rows = pair(&case.words, paper, ensemble, PaperStanding::AfterTheFact);
         // A block on the line is one for two cells, which a repeated block is not: reported alone.
-        let aimed = !case.layout.on_line(case.layout.ex);
+        let aimed = !case.layout.on_line(0, case.layout.ex);
         for (row, aim) in rows.iter_mut().zip(AIM_FACING) {
             row.aim = aimed.then_some(aim);
         }

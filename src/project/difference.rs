@@ -2,7 +2,7 @@
 
 use super::schema::{NamedLayout, Project};
 use crate::case::Input;
-use crate::layout::Layout;
+use crate::layout::{Grid, Layout};
 use crate::units::LengthUnit;
 
 /// What the second has that the first has not, a line for the project and each layout: `bench 1: L 2.5 to
@@ -59,7 +59,9 @@ fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<
     // Sizes and the question are the inputs.
     let NamedLayout { uid: _, name, layout, mesh, branch, question: _, overlay, note, check } =
         from;
-    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks } = layout;
+    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks, grid } = layout;
+    // The second spacing is an input.
+    let Grid { up: _, stagger, twists } = grid;
     let changed = Input::LAYOUT.into_iter().filter(|input| from.get(*input) != to.get(*input));
     let inputs = changed.map(|input| {
         let text = |value: Option<f64>| {
@@ -72,6 +74,8 @@ fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<
     let fields = words([
         (*name != to.name, "name"),
         (*blocks != to.layout.blocks, "blocks"),
+        (*stagger != to.layout.grid.stagger, "stagger"),
+        (*twists != to.layout.grid.twists, "twists"),
         (*mesh != to.mesh, "mesh"),
         (*branch != to.branch, "branch"),
         (*overlay != to.overlay, "overlay"),

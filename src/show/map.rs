@@ -25,6 +25,8 @@ pub(crate) enum NoCell {
     OnPlate,
     /// The block is smaller than the opening of the mesh.
     Through,
+    /// There is no relation for the grid.
+    Grid,
     /// The inputs make no sense together.
     Senseless,
     /// No run of the check broke a wire.
@@ -35,9 +37,10 @@ pub(crate) enum NoCell {
 
 impl NoCell {
     /// All of them with their signs and legends.
-    const ALL: [(NoCell, char, &str); 5] = [
+    const ALL: [(NoCell, char, &str); 6] = [
         (NoCell::OnPlate, 'P', "P block on a plate"),
         (NoCell::Through, 'T', "T block below the mesh opening"),
+        (NoCell::Grid, 'G', "G no relation for the grid"),
         (NoCell::Senseless, '?', "? makes no sense"),
         (NoCell::NoBreak, 'n', "n no break"),
         (NoCell::Impossible, 'X', "X cannot be checked"),
@@ -65,6 +68,7 @@ pub(crate) fn forecast(outcome: &CaseValue, shown: Effect) -> Cell {
         Ok(point) => effect::read(point, shown).map_or(Cell::Empty, Cell::Value),
         Err(NoValue::Outside(NoField::PunchOnPlate)) => Cell::None(NoCell::OnPlate),
         Err(NoValue::Outside(NoField::PassesThrough)) => Cell::None(NoCell::Through),
+        Err(NoValue::Outside(NoField::Grid)) => Cell::None(NoCell::Grid),
         Err(NoValue::Senseless(_)) => Cell::None(NoCell::Senseless),
     }
 }

@@ -16,7 +16,7 @@ pub(crate) fn arrangements(layout: &Layout) -> Vec<Arrangement> {
         Blocks::Single => vec![Arrangement::Single(FIELDS[0])],
         // A centred block is its own mirror image.
         Blocks::Worst if layout.folded() == (0.0, 0.0) => vec![repeated],
-        Blocks::Worst if layout.blocks_overlap().is_some() => vec![repeated],
+        Blocks::Worst if !layout.can_face() => vec![repeated],
         Blocks::Worst => vec![repeated, Arrangement::Mirrored],
     }
 }
@@ -165,7 +165,15 @@ mod tests {
     use crate::mesh::laws;
 
     fn spec(blocks: Blocks) -> SceneSpec {
-        let layout = Layout { plate: 0.25, spacing: 1.2, punch: 0.5, ex: 0.1, ey: -0.15, blocks };
+        let layout = Layout {
+            plate: 0.25,
+            spacing: 1.2,
+            punch: 0.5,
+            ex: 0.1,
+            ey: -0.15,
+            blocks,
+            ..REFERENCE
+        };
         SceneSpec {
             layout,
             test: Test::Anchored,

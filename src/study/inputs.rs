@@ -3,7 +3,7 @@
 use super::ensemble::Plan;
 use crate::dem::{Controls, SceneSpec, Test};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::layout::Blocks;
+use crate::layout::{Blocks, Twists};
 use crate::mesh::wire::{CurvePoint, Slack};
 use crate::words::Choice;
 
@@ -13,7 +13,7 @@ use crate::words::Choice;
 /// ([`Fingerprinter::with`]).
 pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) -> Fingerprint {
     let (layout, net, d) = (&spec.layout, &spec.wire.net, &spec.wire.distortion);
-    let anchored = spec.test == Test::Anchored;
+    let (anchored, grid) = (spec.test == Test::Anchored, &layout.grid);
     let mut print = Fingerprinter::new("check")
         .flag(anchored)
         // There are no plates in the laboratory.
@@ -51,6 +51,9 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .text(&plan.seed.to_string())
         .optional(plan.phase.map(|p| p[0]))
         .optional(plan.phase.map(|p| p[1]))
+        .given("Ly", grid.up.filter(|up| anchored && *up != layout.spacing))
+        .with("stagger", anchored && grid.stagger, false)
+        .with("twists", grid.twists.word(), Twists::Down.word())
         .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
         .finish()
 }

@@ -9,6 +9,7 @@ use meshcast::dem::stepper::Stepper;
 use meshcast::dem::{
     Arrangement, Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Test, check,
 };
+use meshcast::layout::{Grid, Twists};
 use meshcast::mesh::laws;
 use meshcast::mesh::wire::{CurvePoint, WireData};
 
@@ -20,6 +21,17 @@ fn spec(arrangement: Arrangement, wire: WireData) -> SceneSpec {
     (spec.layout.ex, spec.layout.ey) = (0.1, -0.15);
     SceneSpec { arrangement, ..spec }
 }
+
+/// The same on a grid of 1.2 x `up` m.
+fn on_grid(grid: Grid, arrangement: Arrangement) -> SceneSpec {
+    let mut spec = spec(arrangement, laws::reference());
+    spec.layout.grid = grid;
+    spec
+}
+
+/// Spacings of 1.2 and 1.5 m.
+const RECTANGLE: Grid = Grid { up: Some(1.5), ..Grid::SQUARE };
+const STAGGERED: Grid = Grid { stagger: true, ..RECTANGLE };
 
 const ALL: [Arrangement; 4] = [
     Arrangement::Repeated([1, 1]),
@@ -78,6 +90,83 @@ fn one_cell_is_one_cell_whatever_it_is_called() {
 }
 
 #[test]
+fn two_equal_spacings_are_one_to_the_bit() {
+    let one = run(&on_grid(Grid::SQUARE, Arrangement::Mirrored));
+    let two = run(&on_grid(Grid { up: Some(1.2), ..Grid::SQUARE }, Arrangement::Mirrored));
+    assert_eq!(two, one);
+    let other = run(&on_grid(RECTANGLE, Arrangement::Mirrored));
+    assert_ne!(bits(&other), bits(&one));
+    assert_eq!(run(&on_grid(Grid { stagger: false, ..STAGGERED }, Arrangement::Mirrored)), other);
+}
+
+#[test]
+fn twists_across_a_square_cell_are_the_offsets_exchanged_to_the_bit() {
+    for arrangement in ALL {
+        let mut down = on_grid(Grid::SQUARE, arrangement);
+        let across = on_grid(Grid { twists: Twists::Across, ..Grid::SQUARE }, arrangement);
+        (down.layout.ex, down.layout.ey) = (across.layout.ey, across.layout.ex);
+        let (down, across) = (run(&down), run(&across));
+        assert_eq!(bits(&across), bits(&down), "{arrangement:?}");
+        // What has a place or a direction is told in the layout's axes.
+        for (a, d) in across.anchors.iter().zip(&down.anchors) {
+            assert_eq!((a.place, a.force[2]), ([d.place[1], d.place[0]], d.force[2]));
+            assert_eq!(a.force[..2], [d.force[1], d.force[0]]);
+        }
+        for (a, d) in across.breaks.iter().zip(&down.breaks) {
+            assert_eq!((a.number, a.place), (d.number, [d.place[1], d.place[0]]));
+        }
+    }
+}
+
+#[test]
+fn on_a_rectangular_grid_across_turns_the_net_and_not_the_layout() {
+    // A rectangle turned with its block and its net is the same thing.
+    let down = on_grid(RECTANGLE, Arrangement::Mirrored);
+    let mut turned = on_grid(RECTANGLE, Arrangement::Mirrored);
+    turned.layout.spacing = 1.5;
+    turned.layout.grid = Grid { up: Some(1.2), twists: Twists::Across, ..Grid::SQUARE };
+    (turned.layout.ex, turned.layout.ey) = (down.layout.ey, down.layout.ex);
+    assert_eq!(bits(&run(&turned)), bits(&run(&down)));
+    // The net alone turned is another thing.
+    let mut net = down.clone();
+    net.layout.grid.twists = Twists::Across;
+    assert_ne!(bits(&run(&net)), bits(&run(&down)));
+}
+
+#[test]
+fn anchors_and_blocks_of_a_staggered_grid_stand_where_worked_by_hand() {
+    let layout = on_grid(STAGGERED, Arrangement::default()).layout;
+    // Spacings 1.2 and 1.5 m: the place farthest from all anchors is 1.44/12 = 0.12 m below the centre.
+    let [x, y] = [0.6, 0.75 - 0.12];
+    for (x0, y0) in [(0.0, 0.0), (1.2, 0.0), (0.6, 1.5)] {
+        let radius = f64::hypot(x - x0, y - y0);
+        assert!((radius - 0.87).abs() < 1e-12, "{radius}");
+    }
+    for twists in [Twists::Down, Twists::Across] {
+        let mut spec = on_grid(STAGGERED, Arrangement::default());
+        spec.layout.grid.twists = twists;
+        let scene = Scene::new(&spec).unwrap();
+        let turned = |p: [f64; 2]| if twists == Twists::Down { p } else { [p[1], p[0]] };
+        let places: Vec<[f64; 2]> = scene
+            .field
+            .blocks
+            .iter()
+            .map(|b| turned([0, 1].map(|k| b.axis[k] + scene.field.cell[k] * b.cell[k] as f64)))
+            .collect();
+        let due = [[0.7, 0.48], [1.3, 1.98]];
+        for (place, due) in places.iter().zip(due) {
+            assert!((place[0] - due[0]).hypot(place[1] - due[1]) < 1e-12, "{place:?}");
+        }
+        assert_eq!((places.len(), scene.field.anchors()), (2, 2));
+        let run = run(&spec);
+        let anchors: Vec<[f64; 2]> = run.anchors.iter().map(|a| a.place).collect();
+        assert_eq!(anchors, [[0.0, 0.0], [0.6, 1.5]], "{twists:?}");
+        // The nearest plate is the lower right one, 0.5 and 0.48 m away.
+        assert!((layout.distance_to_plate() - 0.375f64.hypot(0.355)).abs() < 1e-12);
+    }
+}
+
+#[test]
 fn the_first_cell_has_its_slack_in_every_field_and_the_others_have_their_own() {
     let one = Scene::new(&spec(Arrangement::default(), laws::reference())).unwrap();
     let (columns, rows) = (one.lattice.columns, one.lattice.rows);
@@ -101,8 +190,16 @@ fn the_first_cell_has_its_slack_in_every_field_and_the_others_have_their_own() {
 
 #[test]
 fn the_anchors_carry_the_blocks_in_every_arrangement() {
-    for arrangement in ALL {
-        let scene = Scene::new(&spec(arrangement, laws::reference())).unwrap();
+    let across = Grid { twists: Twists::Across, ..STAGGERED };
+    let staggered = [STAGGERED, across].into_iter().flat_map(|grid| {
+        [Arrangement::default(), Arrangement::Repeated([2, 1]), Arrangement::Single(3)]
+            .map(|arrangement| on_grid(grid, arrangement))
+    });
+    let rectangular = ALL.map(|arrangement| on_grid(RECTANGLE, arrangement));
+    let square = ALL.map(|arrangement| spec(arrangement, laws::reference()));
+    for spec in square.into_iter().chain(rectangular).chain(staggered) {
+        let arrangement = (spec.arrangement, spec.layout.grid);
+        let scene = Scene::new(&spec).unwrap();
         let options = FastOptions {
             factors: FACTORS,
             damping: 0.002,
@@ -146,8 +243,13 @@ fn a_mirrored_block_loads_the_near_anchors_more_and_breaks_the_net_earlier() {
 
 #[test]
 fn in_full_the_fast_solver_is_the_plain_one_on_every_field() {
-    for arrangement in ALL {
-        let scene = Scene::new(&spec(arrangement, laws::yade())).unwrap();
+    let staggered = [STAGGERED, Grid { twists: Twists::Across, ..STAGGERED }];
+    let staggered = staggered.map(|grid| on_grid(grid, Arrangement::default()));
+    let square = ALL.map(|arrangement| spec(arrangement, laws::yade()));
+    for spec in square.into_iter().chain(staggered) {
+        let spec = SceneSpec { wire: laws::yade(), ..spec };
+        let arrangement = (spec.arrangement, spec.layout.grid);
+        let scene = Scene::new(&spec).unwrap();
         let mut plain = Plain::of_scene(&scene, Inertia::Pairs(FACTORS), Damping::Viscous(0.002));
         let options = FastOptions {
             factors: FACTORS,

@@ -95,7 +95,7 @@ fn relief(layout: &Layout, result: &CheckResult) -> Relief {
         })
         .collect();
     let highest = heights.iter().copied().fold(0.0, f64::max);
-    Relief { side, heights, highest, deflection }
+    Relief { sides: [side; 2], heights, highest, deflection }
 }
 
 /// A check of a layout, or why there can be none.

@@ -147,6 +147,7 @@ fn outcome(page: &Page, o: &CaseValue) -> String {
         Err(NoValue::Outside(NoField::PassesThrough)) => {
             "the block is smaller than the opening of the mesh".to_string()
         }
+        Err(NoValue::Outside(NoField::Grid)) => "no relation for this grid".to_string(),
         Err(NoValue::Senseless(_)) => "plate or block is as large as the spacing".to_string(),
     }
 }

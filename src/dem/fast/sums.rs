@@ -26,10 +26,10 @@ pub(super) struct Sums<R: Copy> {
     pub(super) target: Vec<usize>,
     /// Which of the late sums are added to which, in the order of their rows.
     late: Vec<(usize, usize)>,
-    /// Columns and rows of anchors; none in the laboratory.
+    /// Anchors in a row and rows of them; none in the laboratory.
     anchors: [usize; 2],
-    /// Column of anchors that each column of the net is nearest to.
-    nearest: Vec<usize>,
+    /// Which anchor of a row each column of the net is nearest to, in even rows and in odd ones.
+    nearest: [Vec<usize>; 2],
     /// Domes.
     domes: usize,
     /// Columns of a cell, and of the net.
@@ -47,29 +47,32 @@ impl<R: Real> Sums<R> {
             (field.nearest_anchor(nodes[end], cell).0, cell)
         };
         let mut late = Vec::new();
-        let rows = if anchored { field.cells[1] } else { 1 };
+        let rows = if anchored { field.rows[1] } else { 1 };
         let mut target = Vec::with_capacity(lattice.rows);
         for row in 0..lattice.rows {
             // A plate is far smaller than a cell, so both nodes of a held pair have the same anchor.
             let ([_, above], [_, cell]) =
                 if anchored { anchor(row, 0, 1) } else { ([0, 0], [0, 0]) };
             let sums = domes + 3 * above;
-            if above > cell {
+            // One cell is not staggered, so there is none to be compared with.
+            if above > cell && field.repeats() == [1, 1] {
                 target.push(domes + 3 * (rows + late.len()));
                 late.push((domes + 3 * (rows + late.len()), sums));
             } else {
                 target.push(sums);
             }
         }
-        let nearest =
-            (0..lattice.columns).map(|c| if anchored { anchor(0, c, 0).0[0] } else { 0 }).collect();
+        let in_row = |of: f64| {
+            let column = |c| field.nearest_in_row(lattice.bottom(0, c)[0], of).0;
+            (0..lattice.columns).map(|c| if anchored { column(c) } else { 0 }).collect()
+        };
         Sums {
             all: Plane::new(R::default(), places * (domes + 3 * (rows + late.len()))),
             places,
             target,
             late,
-            anchors: if anchored { field.cells } else { [0, 0] },
-            nearest,
+            anchors: if anchored { field.rows } else { [0, 0] },
+            nearest: [in_row(0.0), in_row(1.0)],
             domes,
             columns: [lattice.columns / field.cells[0], lattice.columns],
         }
@@ -118,7 +121,7 @@ impl<R: Real> Sums<R> {
         places
             .map(|(row, column)| {
                 [0, 1, 2].map(|k| {
-                    let own = |place: usize| self.nearest[place] == column;
+                    let own = |place: usize| self.nearest[row % 2][place] == column;
                     self.total(self.domes + 3 * row + k, own, steps)
                 })
             })

@@ -85,7 +85,7 @@ pub fn make(
     };
     let (words, ensemble) = (stood.words(), stood.ensemble);
     let first = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
-    let relief = first.map(|net| Relief::from_net(net, layout.spacing));
+    let relief = first.map(|net| Relief::from_net(net, layout));
     let inputs = of_ensemble(&spec, &controls, &plan);
     let mut result = CheckResult::from_ensemble(&ensemble, wanted, inputs);
     let plain = matches!(layout.blocks, Blocks::Paper | Blocks::Repeated);

@@ -27,18 +27,9 @@ impl Places {
     /// Of a result on this layout.
     pub(crate) fn from_result(result: &CheckResult, layout: &Layout) -> Places {
         let mut places = Places::default();
-        let half = layout.spacing / 2.0;
-        let (ex, ey) = layout.folded();
         for b in &result.breaks {
-            // The corner that is nearest by symmetry, and how far the plate's edge is.
-            let beyond = |v: f64| (half - v.abs() - layout.plate / 2.0).max(0.0);
-            let from_plate = beyond(b.place[0]).hypot(beyond(b.place[1]));
-            // The punch repeats with the cell.
-            let off = |v: f64, e: f64| {
-                let d = v - e;
-                d - (d / layout.spacing).round() * layout.spacing
-            };
-            let from_punch = off(b.place[0], ex).hypot(off(b.place[1], ey));
+            let from_plate = layout.apart_from_plate(b.place);
+            let from_punch = layout.apart_from_block(b.place);
             if from_plate <= AT_PLATE {
                 places.plate += 1;
             } else if from_punch <= AT_PUNCH * layout.punch {

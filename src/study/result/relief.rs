@@ -1,6 +1,7 @@
-//! The shape of the deformed net on a square grid, for contours.
+//! The shape of the deformed net on a grid of cells, for contours.
 
 use crate::dem::outcome::Net;
+use crate::layout::Layout;
 
 /// Cells along each side of the grid.
 pub const CELLS: usize = 48;
@@ -8,8 +9,8 @@ pub const CELLS: usize = 48;
 /// How far the net is pushed out, over the panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relief {
-    /// Side of the panel, m.
-    pub side: f64,
+    /// Sides of the panel in x and y, m.
+    pub sides: [f64; 2],
     /// Heights, m, row by row from the bottom left corner, [`CELLS`] in a row.
     pub heights: Vec<f64>,
     /// Largest height, m.
@@ -19,20 +20,25 @@ pub struct Relief {
 }
 
 impl Relief {
-    /// The shape of `net` on a panel of this side: each cell of the grid takes the mean height of the
-    /// nodes in it; where there are none, of the cells around that have some.
-    pub(crate) fn from_net(net: &Net, side: f64) -> Relief {
+    /// The shape of `net` on the first cell of a layout's field: each cell of the grid takes the mean height
+    /// of the nodes in it; where there are none, of the cells around that have some.
+    pub(crate) fn from_net(net: &Net, layout: &Layout) -> Relief {
+        let sides = layout.sides();
         let mut sum = vec![0.0; CELLS * CELLS];
         let mut count = vec![0.0; CELLS * CELLS];
-        let cell = |v: f64| {
+        let cell = |v: f64, side: f64| {
             // Nodes of a periodic net may stand a little outside; out of range is clamped.
             ((v / side * CELLS as f64).floor().max(0.0) as usize).min(CELLS - 1)
         };
         // Of a field of several cells the first one, whose block stands where the layout's does.
-        let in_cell = |v: f64| v <= side * (1.0 + 0.5 / CELLS as f64);
-        for node in net.nodes.iter().filter(|node| in_cell(node[0]) && in_cell(node[1])) {
-            let k = cell(node[1]) * CELLS + cell(node[0]);
-            sum[k] += node[2];
+        let in_cell = |v: f64, side: f64| v <= side * (1.0 + 0.5 / CELLS as f64);
+        // The net's axes may be the other way round.
+        let nodes = net.nodes.iter().map(|[x, y, z]| (layout.turned([*x, *y]), *z));
+        for ([x, y], z) in
+            nodes.filter(|([x, y], _)| in_cell(*x, sides[0]) && in_cell(*y, sides[1]))
+        {
+            let k = cell(y, sides[1]) * CELLS + cell(x, sides[0]);
+            sum[k] += z;
             count[k] += 1.0;
         }
         // Coarse nets leave cells empty: they are filled from their neighbours, ring by ring.
@@ -60,14 +66,15 @@ impl Relief {
         let heights: Vec<f64> =
             sum.iter().zip(&count).map(|(s, n)| if *n > 0.0 { s / n } else { 0.0 }).collect();
         let highest = heights.iter().copied().fold(0.0, f64::max);
-        Relief { side, heights, highest, deflection: net.deflection }
+        Relief { sides, heights, highest, deflection: net.deflection }
     }
 
     /// Height at a place from the panel's centre, m, linear between the cells' middles.
     pub(crate) fn at(&self, x: f64, y: f64) -> f64 {
-        let place =
-            |v: f64| ((v / self.side + 0.5) * CELLS as f64 - 0.5).clamp(0.0, (CELLS - 1) as f64);
-        let (px, py) = (place(x), place(y));
+        let place = |v: f64, side: f64| {
+            ((v / side + 0.5) * CELLS as f64 - 0.5).clamp(0.0, (CELLS - 1) as f64)
+        };
+        let (px, py) = (place(x, self.sides[0]), place(y, self.sides[1]));
         let (c, r) = ((px as usize).min(CELLS - 2), (py as usize).min(CELLS - 2));
         let (fx, fy) = (px - c as f64, py - r as f64);
         let h = |r: usize, c: usize| self.heights[r * CELLS + c];
@@ -86,6 +93,7 @@ fn around(row: usize, column: usize) -> impl Iterator<Item = (usize, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::layout::REFERENCE;
 
     #[test]
     fn a_tilted_plane_is_found_again_between_sparse_nodes() {
@@ -97,7 +105,8 @@ mod tests {
                 nodes.push([x, y, 0.1 * x + 0.02 * y]);
             }
         }
-        let relief = Relief::from_net(&Net { nodes, bonds: Vec::new(), deflection: 0.3 }, 3.0);
+        let relief =
+            Relief::from_net(&Net { nodes, bonds: Vec::new(), deflection: 0.3 }, &REFERENCE);
         for (x, y) in [(0.0, 0.0), (-1.0, 0.7), (1.2, -1.2)] {
             let plane = 0.1 * (x + 1.5) + 0.02 * (y + 1.5);
             // A node is up to a cell (0.0625 m) from where its height is taken to be.

@@ -13,13 +13,13 @@ use crate::units::without_noise;
 
 /// Step of d, L, D, F_l* and delta_l* as a part of the value.
 pub(crate) const RELATIVE_STEP: f64 = 0.1;
-/// Step of ex and ey as a part of the spacing L.
+/// Step of ex and ey as a part of the spacing, of the smaller one where there are two.
 pub(crate) const OFFSET_STEP: f64 = 0.05;
 
 /// Size of an input's step in a case, m or N, above 0.
 pub(crate) fn step(case: &Case, input: Input) -> f64 {
     if input.is_offset() {
-        OFFSET_STEP * case.layout.spacing
+        OFFSET_STEP * case.layout.least()
     } else {
         RELATIVE_STEP * input.value(case)
     }

@@ -39,6 +39,7 @@ fn outside(why: NoField) -> &'static str {
     match why {
         NoField::PunchOnPlate => "the block is on a plate",
         NoField::PassesThrough => "the block is smaller than the mesh opening",
+        NoField::Grid => "no relation for this grid, and no check",
     }
 }
 

@@ -199,7 +199,7 @@ fn draw_tornado(
 fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)> {
     let [lowered, raised, both, _] = tornado::signs(theme.glyphs);
     let offset =
-        length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.spacing, app.units());
+        length_text(crate::study::sensitivity::OFFSET_STEP * view.case.layout.least(), app.units());
     let mut lines = vec![(
         format!(
             "{lowered} lowered {raised} raised {both} both; steps 10 %, of ex and ey {offset} (L/20)"
