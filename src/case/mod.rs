@@ -19,7 +19,7 @@ use crate::forecast::design::{Answer, answer};
 use crate::forecast::field::Branch;
 use crate::forecast::fingerprint::{of_inputs, of_question};
 use crate::forecast::warning::Warning;
-use crate::forecast::{Field, Forecast, NoField, Values, forecast, laboratory};
+use crate::forecast::{Field, Forecast, NoField, Strength, forecast, laboratory};
 use crate::layout::{BranchRule, Layout};
 use crate::mesh::MeshType;
 use crate::problem::{Problem, summary};
@@ -105,7 +105,7 @@ impl Case {
     pub(crate) fn forecast(&self) -> Result<Forecast, Vec<Problem>> {
         let lab = [Input::LabForce, Input::LabDeflection];
         let problems: Vec<Problem> =
-            lab.into_iter().filter_map(|i| i.problem(i.value(self))).collect();
+            lab.into_iter().filter_map(|i| i.problem(self.get(i)?)).collect();
         if problems.is_empty() {
             forecast(&self.layout, &self.mesh, self.rule)
         } else {
@@ -155,7 +155,7 @@ impl Case {
     pub(crate) fn get(&self, input: Input) -> Option<f64> {
         match input {
             Input::LabForce => Some(standard(&self.mesh).force),
-            Input::LabDeflection => Some(standard(&self.mesh).deflection),
+            Input::LabDeflection => standard(&self.mesh).deflection,
             _ => input.of(&self.layout, &self.question),
         }
     }
@@ -173,7 +173,7 @@ impl Case {
         if input == Input::LabForce {
             record.force = value * factor(laboratory::force_ratio);
         } else {
-            record.deflection = value * factor(laboratory::deflection_ratio);
+            record.deflection = Some(value * factor(laboratory::deflection_ratio));
         }
     }
 
@@ -198,13 +198,13 @@ impl Input {
 
 /// Deflection at which a layout is expected to break until a run has told, m: its forecast's, or a fifth
 /// of the spacing where there is none.
-pub(crate) fn expected_break(layout: &Layout, forecast: Option<Values>) -> f64 {
-    forecast.map_or(0.2 * layout.least(), |values| values.deflection)
+pub(crate) fn expected_break(layout: &Layout, forecast: Option<Strength>) -> f64 {
+    forecast.and_then(|values| values.deflection).unwrap_or(0.2 * layout.least())
 }
 
 impl CasePoint {
     /// F_a and delta_a.
-    pub(crate) fn values(&self) -> Values {
+    pub(crate) fn values(&self) -> Strength {
         self.field.values
     }
 
@@ -231,10 +231,10 @@ impl CasePoint {
 
 /// The standard laboratory values of a mesh; where its record cannot be converted, and so has no
 /// forecast, those of the record.
-fn standard(mesh: &MeshType) -> Values {
+fn standard(mesh: &MeshType) -> Strength {
     let record = &mesh.laboratory;
     laboratory::standard_values(record)
-        .unwrap_or(Values { force: record.force, deflection: record.deflection })
+        .unwrap_or(Strength { force: record.force, deflection: record.deflection })
 }
 
 /// For tests: the reference mesh in a layout, with a design force (N).
@@ -275,10 +275,10 @@ mod tests {
         let set = base.with(Input::LabForce, 70_000.0).with(Input::LabDeflection, 0.5);
         // By hand, Eqs. 1-2 at 4.5 m: factors 1.055 and 1.425.
         assert!((set.mesh.laboratory.force - 73_850.0).abs() < 1e-6);
-        assert!((set.mesh.laboratory.deflection - 0.7125).abs() < 1e-12);
+        assert!((set.mesh.laboratory.deflection.unwrap() - 0.7125).abs() < 1e-12);
         let f = set.forecast().unwrap();
         assert!((f.laboratory.force - 70_000.0).abs() < 1e-6);
-        assert!((f.laboratory.deflection - 0.5).abs() < 1e-12);
+        assert!((f.laboratory.deflection.unwrap() - 0.5).abs() < 1e-12);
     }
 
     #[test]

@@ -12,7 +12,8 @@ use crate::layout::{Blocks, Layout};
 use crate::show::verdict;
 use crate::study::verdict::Verdict;
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kj,
+    LengthUnit, force_text, length_entry, length_text, maybe_length_text, shortest, significant,
+    to_kj,
 };
 use crate::words::Choice;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
@@ -59,6 +60,11 @@ impl Page {
         length_text(metres, self.unit)
     }
 
+    /// A computed length that may be missing.
+    pub(crate) fn maybe_length(&self, metres: Option<f64>) -> String {
+        maybe_length_text(metres, self.unit)
+    }
+
     /// A length as entered.
     pub(crate) fn entry(&self, metres: f64) -> String {
         format!("{} {}", length_entry(metres, self.unit), self.unit.symbol())
@@ -103,13 +109,14 @@ impl Page {
         );
         if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
             let deflection = match at.deflection {
-                Some(reached) => format!("at {}", self.length(reached)),
-                None => "beyond failure".to_string(),
+                Some(reached) => format!(", at {}", self.length(reached)),
+                None if at.beyond_failure => ", beyond failure".to_string(),
+                None => String::new(),
             };
             self.line(
                 "  at force",
                 format!(
-                    "{} factored to {}: use {} %, {deflection}",
+                    "{} factored to {}: use {} %{deflection}",
                     force_text(force),
                     force_text(at.load),
                     percent(at.utilisation)

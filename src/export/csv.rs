@@ -27,7 +27,7 @@ pub(crate) fn curves<'a>(
 /// The forecast curves of cases; those without a field value have none.
 pub fn case_curves(cases: &[ExportedLayout]) -> String {
     let curves_of = cases.iter().filter_map(|case| {
-        Some((case.entry.name.as_str(), case.forecast().field.ok()?.curve(CURVE_POINTS)))
+        Some((case.entry.name.as_str(), case.forecast().field.ok()?.end()?.curve(CURVE_POINTS)))
     });
     curves(curves_of, true)
 }

@@ -75,7 +75,9 @@ pub struct AtForce {
     pub deflection: Option<f64>,
     /// Deflection at the design force without its factor, m; missing beyond failure.
     pub service_deflection: Option<f64>,
-    /// Whether that is within the allowable deflection, where one is given.
+    /// Whether the panel fails before the factored load is reached.
+    pub(crate) beyond_failure: bool,
+    /// Whether the service deflection is within the allowable deflection, where one is given.
     pub within_allowable: Option<bool>,
 }
 
@@ -97,26 +99,31 @@ pub(crate) fn answer(field: &Field, question: &Question) -> Answer {
     let resistance = field.values.force / question.gamma_resistance;
     let at_force = question.force.map(|force| {
         let load = question.gamma_load * force;
-        let (deflection, service) = (field.deflection_at(load), field.deflection_at(force));
+        let at = |force| field.end()?.deflection_at(force);
+        let (deflection, service) = (at(load), at(force));
         AtForce {
             load,
             utilisation: load / resistance,
             margin: resistance - load,
             deflection,
             service_deflection: service,
+            // The failure force itself is on the curve, rounding of a quotient included.
+            beyond_failure: load / field.values.force > 1.0 + 1e-12,
             within_allowable: question
                 .deflection
+                .filter(|_| field.end().is_some())
                 .map(|allowed| service.is_some_and(|v| v <= allowed)),
         }
     });
-    let at_deflection = question.deflection.map(|deflection| {
-        let reached = deflection.min(field.values.deflection);
-        let force = field.force_at(reached);
+    let curve = question.deflection.zip(field.end());
+    let at_deflection = curve.map(|(deflection, end)| {
+        let reached = deflection.min(end.deflection);
+        let force = end.force_at(reached);
         AtDeflection {
             force,
             design_force: force / question.gamma_resistance,
-            energy: field.energy_to(reached),
-            beyond_failure: deflection > field.values.deflection,
+            energy: end.energy_to(reached),
+            beyond_failure: deflection > end.deflection,
         }
     });
     Answer { resistance, at_force, at_deflection }
@@ -131,7 +138,7 @@ mod tests {
     /// A panel of 20 kN at 0.5 m.
     fn panel() -> Field {
         let branch = Branch::LargePunch;
-        let values = Values { force: 20_000.0, deflection: 0.5 };
+        let values = Values { force: 20_000.0, deflection: 0.5 }.into();
         Field { values, regime: branch, branch, other_branch: None }
     }
 

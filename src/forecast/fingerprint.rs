@@ -20,7 +20,8 @@ pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> F
         .number(layout.punch)
         .text(&mesh.id)
         .number(lab.force)
-        .number(lab.deflection)
+        // No record may have the 0 that stands for a missing deflection.
+        .number(lab.deflection.unwrap_or(0.0))
         .text(lab.statistic.word())
         .number(lab.panel)
         .number(lab.punch)

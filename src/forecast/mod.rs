@@ -49,6 +49,64 @@ pub struct Values {
     pub deflection: f64,
 }
 
+impl Values {
+    /// Force at a deflection (m), N, on the rescaled master curve; meaningful from 0 to the failure.
+    pub fn force_at(&self, deflection: f64) -> f64 {
+        self.force * master::force(deflection / self.deflection)
+    }
+
+    /// Deflection at a force (N), m: the exact inverse of [`Values::force_at`]; nothing beyond failure.
+    pub fn deflection_at(&self, force: f64) -> Option<f64> {
+        // The failure force itself is on the curve, rounding of a quotient included.
+        let y = force / self.force;
+        (0.0..=1.0 + 1e-12).contains(&y).then(|| self.deflection * master::deflection(y.min(1.0)))
+    }
+
+    /// Tangent stiffness at a deflection (m), N/m.
+    pub fn tangent_at(&self, deflection: f64) -> f64 {
+        self.force / self.deflection * master::slope(deflection / self.deflection)
+    }
+
+    /// Secant stiffness from 0 to a deflection (m, above 0), N/m.
+    pub fn secant_at(&self, deflection: f64) -> f64 {
+        self.force_at(deflection) / deflection
+    }
+
+    /// Energy absorbed from 0 to a deflection (m), J.
+    pub fn energy_to(&self, deflection: f64) -> f64 {
+        self.force * self.deflection * master::area(deflection / self.deflection)
+    }
+
+    /// The curve from 0 to the failure deflection, both ends included.
+    pub fn curve(&self, points: usize) -> Curve {
+        rescaled(*self, points)
+    }
+}
+
+/// What a test or a panel carries: its force at failure, and the deflection there where the
+/// laboratory's is known. With both there is a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strength {
+    /// Force, N.
+    pub force: f64,
+    /// Deflection, m; missing where the laboratory record has none.
+    pub deflection: Option<f64>,
+}
+
+impl Strength {
+    /// Both, where both are known.
+    pub fn both(self) -> Option<Values> {
+        let force = self.force;
+        self.deflection.map(|deflection| Values { force, deflection })
+    }
+}
+
+impl From<Values> for Strength {
+    fn from(Values { force, deflection }: Values) -> Strength {
+        Strength { force, deflection: Some(deflection) }
+    }
+}
+
 /// The forecast of one layout with one mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
@@ -57,9 +115,9 @@ pub struct Forecast {
     /// The branch rule it follows.
     pub rule: BranchRule,
     /// Standard laboratory values F_l*, delta_l*.
-    pub laboratory: Values,
+    pub laboratory: Strength,
     /// Field reference values F_a*, delta_a* (step 1).
-    pub reference: Values,
+    pub reference: Strength,
     /// The ratios that led from one to the other.
     pub ratios: Ratios,
     /// Factors of the eccentricity, with their uncertainty.
@@ -120,13 +178,13 @@ impl NoField {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Field {
     /// F_a, delta_a, eccentricity included.
-    pub values: Values,
+    pub values: Strength,
     /// By the size of the punch against the plate: `SmallPunch` where D <= d.
     pub regime: Branch,
     /// The branch of A.1-A.2 that was used.
     pub branch: Branch,
     /// The same values by the other branch, where the layout is near the branch change.
-    pub other_branch: Option<Values>,
+    pub other_branch: Option<Strength>,
 }
 
 impl Forecast {
@@ -137,7 +195,7 @@ impl Forecast {
 
     /// delta_a over delta_l*, if there is a field value.
     pub(crate) fn deflection_over_lab(&self) -> Option<f64> {
-        self.field.ok().map(|f| f.values.deflection / self.laboratory.deflection)
+        Some(self.field.ok()?.values.deflection? / self.laboratory.deflection?)
     }
 
     /// Whether any size is outside its published range, so that the numbers are extrapolated.
@@ -147,41 +205,9 @@ impl Forecast {
 }
 
 impl Field {
-    /// Force at a deflection (m), N, on the rescaled master curve; meaningful from 0 to delta_a.
-    pub fn force_at(&self, deflection: f64) -> f64 {
-        self.values.force * master::force(deflection / self.values.deflection)
-    }
-
-    /// Deflection at a force (N), m: the exact inverse of [`Field::force_at`]; nothing beyond F_a.
-    pub fn deflection_at(&self, force: f64) -> Option<f64> {
-        // The failure force itself is on the curve, rounding of a quotient included.
-        let y = force / self.values.force;
-        (0.0..=1.0 + 1e-12)
-            .contains(&y)
-            .then(|| self.values.deflection * master::deflection(y.min(1.0)))
-    }
-
-    /// Tangent stiffness at a deflection (m), N/m.
-    pub fn tangent_at(&self, deflection: f64) -> f64 {
-        self.values.force / self.values.deflection
-            * master::slope(deflection / self.values.deflection)
-    }
-
-    /// Secant stiffness from 0 to a deflection (m, above 0), N/m.
-    pub fn secant_at(&self, deflection: f64) -> f64 {
-        self.force_at(deflection) / deflection
-    }
-
-    /// Energy absorbed from 0 to a deflection (m), J.
-    pub fn energy_to(&self, deflection: f64) -> f64 {
-        self.values.force
-            * self.values.deflection
-            * master::area(deflection / self.values.deflection)
-    }
-
-    /// The curve from 0 to the failure deflection, both ends included.
-    pub fn curve(&self, points: usize) -> Curve {
-        rescaled(self.values, points)
+    /// The point of failure, on which the curve hangs; missing where the laboratory's deflection is.
+    pub fn end(&self) -> Option<Values> {
+        self.values.both()
     }
 }
 
@@ -257,10 +283,11 @@ pub fn forecast(
     })
 }
 
-fn field_values(layout: &Layout, reference: Values, e: &Eccentricity, rule: BranchRule) -> Field {
+fn field_values(layout: &Layout, reference: Strength, e: &Eccentricity, rule: BranchRule) -> Field {
     let by = |branch| {
         let centred = field::centred(layout, branch, reference);
-        Values { force: centred.force * e.force, deflection: centred.deflection * e.deflection }
+        let deflection = centred.deflection.map(|delta| delta * e.deflection);
+        Strength { force: centred.force * e.force, deflection }
     };
     let branch = Branch::by_rule(layout, rule);
     Field {
@@ -278,9 +305,12 @@ fn mesh_warnings(mesh: &MeshType, ratios: &Ratios, warnings: &mut Vec<Warning>) 
     if ratios.default && !mesh.reference {
         warnings.push(Warning::DefaultRatios);
     }
-    let Values { force, deflection } =
-        Values { force: mesh.laboratory.force, deflection: mesh.laboratory.deflection };
-    if !(PLAUSIBLE_FORCE.contains(&force) && PLAUSIBLE_DEFLECTION.contains(&deflection)) {
+    let (force, deflection) = (mesh.laboratory.force, mesh.laboratory.deflection);
+    if deflection.is_none() {
+        warnings.push(Warning::StrengthOnly);
+    }
+    let plausible = deflection.is_none_or(|delta| PLAUSIBLE_DEFLECTION.contains(&delta));
+    if !(PLAUSIBLE_FORCE.contains(&force) && plausible) {
         warnings.push(Warning::ImplausibleLaboratory { force, deflection });
     }
     let panel = mesh.laboratory.panel;
@@ -311,7 +341,7 @@ fn push_range(range: PublishedRange, value: f64, warnings: &mut Vec<Warning>) {
 fn field_warnings(
     layout: &Layout,
     field: &Field,
-    reference: Values,
+    reference: Strength,
     e: &Eccentricity,
     warnings: &mut Vec<Warning>,
 ) {

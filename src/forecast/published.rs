@@ -1,7 +1,7 @@
 //! What the paper prints, from `assets/published.ron`, and how the forecast compares with it, digit
 //! for digit.
 
-use super::{Values, field, forecast, laboratory, master, ratios};
+use super::{Strength, Values, field, forecast, laboratory, master, ratios};
 use crate::layout::{BranchRule, Layout, REFERENCE};
 use crate::mesh::{STANDARD_PANEL, catalogue};
 use crate::units::to_kn;
@@ -242,27 +242,28 @@ pub fn validate() -> Validation {
     }
 }
 
+/// F_a and delta_a of a layout with the reference mesh, whose laboratory record has both.
 fn field_values(layout: &Layout) -> Values {
     forecast(layout, &catalogue::reference(), BranchRule::Published)
         .ok()
-        .and_then(|result| result.field.ok())
-        .map_or(Values { force: f64::NAN, deflection: f64::NAN }, |field| field.values)
+        .and_then(|result| result.field.ok()?.end())
+        .unwrap_or(Values { force: f64::NAN, deflection: f64::NAN })
 }
 
 fn our_fact(fact: Fact) -> f64 {
     let mesh = catalogue::reference();
     let record = &mesh.laboratory;
-    let standard = Values { force: record.force, deflection: record.deflection };
+    let standard = Strength { force: record.force, deflection: record.deflection };
     let at_standard = laboratory::to_panel(standard, STANDARD_PANEL);
     let ratios = ratios::of_mesh(&mesh);
     let reference = ratios::field_reference(standard, &ratios);
     match fact {
         Fact::StandardPanelForce => to_kn(at_standard.force),
-        Fact::StandardPanelDeflection => at_standard.deflection,
+        Fact::StandardPanelDeflection => at_standard.deflection.unwrap_or(f64::NAN),
         Fact::AlphaForce => ratios.force,
         Fact::AlphaDeflection => ratios.deflection,
         Fact::FieldReferenceForce => to_kn(reference.force),
-        Fact::FieldReferenceDeflection => reference.deflection,
+        Fact::FieldReferenceDeflection => reference.deflection.unwrap_or(f64::NAN),
         Fact::MasterCurveEnd => master::force(1.0),
     }
 }

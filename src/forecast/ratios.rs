@@ -1,7 +1,7 @@
 //! Step 1 of the method: from the laboratory to the field reference values by alpha_F, alpha_delta
 //! (Pol & Gabrieli 2021, section 4).
 
-use super::Values;
+use super::Strength;
 use crate::mesh::MeshType;
 
 /// Laboratory-to-field ratios.
@@ -36,10 +36,10 @@ pub(crate) fn of_mesh(mesh: &MeshType) -> Ratios {
 }
 
 /// Step 1: field reference values F_a* = alpha_F F_l*, delta_a* = alpha_delta delta_l*.
-pub(crate) fn field_reference(standard: Values, ratios: &Ratios) -> Values {
-    Values {
+pub(crate) fn field_reference(standard: Strength, ratios: &Ratios) -> Strength {
+    Strength {
         force: standard.force * ratios.force,
-        deflection: standard.deflection * ratios.deflection,
+        deflection: standard.deflection.map(|delta| delta * ratios.deflection),
     }
 }
 
@@ -49,10 +49,10 @@ mod tests {
 
     #[test]
     fn the_reference_mesh_has_the_published_field_values() {
-        let star = field_reference(Values { force: 73_300.0, deflection: 0.60 }, &DEFAULT);
+        let star = field_reference(Strength { force: 73_300.0, deflection: Some(0.60) }, &DEFAULT);
         // Rounding of one division and one product.
         assert!((star.force - 29_100.0).abs() < 1e-9);
-        assert!((star.deflection - 0.648).abs() < 1e-12);
+        assert!((star.deflection.unwrap() - 0.648).abs() < 1e-12);
         assert_eq!(format!("{:.2} {:.2}", DEFAULT.force, DEFAULT.deflection), "0.40 1.08");
     }
 }

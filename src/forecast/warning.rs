@@ -80,9 +80,11 @@ pub enum Warning {
     ImplausibleLaboratory {
         /// Its force, N.
         force: f64,
-        /// Its deflection, m.
-        deflection: f64,
+        /// Its deflection, m, if it has one.
+        deflection: Option<f64>,
     },
+    /// The laboratory record has no deflection: forces are given, and no curve.
+    StrengthOnly,
     /// The layout is near the jump of A.1-A.2 at D = d.
     NearBranchChange {
         /// Force by the branch that was used, N.
@@ -118,11 +120,11 @@ pub enum Warning {
         /// F_a there, N.
         force: f64,
         /// delta_a there, m.
-        deflection: f64,
+        deflection: Option<f64>,
         /// F_a*, N.
         reference_force: f64,
         /// delta_a*, m.
-        reference_deflection: f64,
+        reference_deflection: Option<f64>,
     },
     /// The mesh is an example, not a product.
     ExampleMesh,
@@ -134,6 +136,13 @@ pub(crate) fn extrapolated(warnings: &[Warning]) -> bool {
     warnings
         .iter()
         .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))
+}
+
+/// A force (N) and, where it is known, a deflection (m).
+fn record(force: f64, deflection: Option<f64>, between: &str) -> String {
+    let delta = deflection.map(|delta| length_text(delta, LengthUnit::Metre));
+    let force = format!("{} kN", significant(force / 1000.0, 3));
+    [Some(force), delta].into_iter().flatten().collect::<Vec<_>>().join(between)
 }
 
 impl Warning {
@@ -150,6 +159,7 @@ impl Warning {
             Warning::PassesThrough { .. } => NoField::PassesThrough.code(),
             Warning::GridWithoutRelation { .. } => NoField::Grid.code(),
             Warning::ImplausibleLaboratory { .. } => "implausible_laboratory",
+            Warning::StrengthOnly => "strength_only",
             Warning::NearBranchChange { .. } => "near_branch_change",
             Warning::EccentricityUncertain { .. } => "eccentricity_uncertain",
             Warning::EccentricityWithoutData => "eccentricity_without_data",
@@ -183,11 +193,10 @@ impl Warning {
             Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
             Warning::PassesThrough { .. } => "block below the mesh opening".into(),
             Warning::GridWithoutRelation { .. } => "no relation for this grid".into(),
-            Warning::ImplausibleLaboratory { force, deflection } => format!(
-                "laboratory {} kN, {}: units?",
-                significant(force / 1000.0, 3),
-                length_text(*deflection, LengthUnit::Metre)
-            ),
+            Warning::ImplausibleLaboratory { force, deflection } => {
+                format!("laboratory {}: units?", record(*force, *deflection, ", "))
+            }
+            Warning::StrengthOnly => "no deflection: forces only".into(),
             Warning::NearBranchChange { other, .. } => {
                 format!("near D = d: other {} kN", significant(other / 1000.0, 3))
             }
@@ -230,10 +239,12 @@ impl Warning {
                 if *stagger { "staggered" } else { "rectangular" }
             ),
             Warning::ImplausibleLaboratory { force, deflection } => format!(
-                "the laboratory record of {} kN at {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
-                kn(*force),
-                m(*deflection)
+                "the laboratory record of {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
+                record(*force, *deflection, " at ")
             ),
+            Warning::StrengthOnly => {
+                "the laboratory record has no deflection: forces are given, and no deflection, curve, stiffness or energy".into()
+            }
             Warning::NearBranchChange { used, other } => format!(
                 "near the branch change at D = d, where A.1 jumps: this branch gives {} kN, the other {} kN; choose `conservative` for the lower",
                 kn(*used),
@@ -260,11 +271,9 @@ impl Warning {
                 m(*panel)
             ),
             Warning::ReferencePoint { force, deflection, reference_force, reference_deflection } => format!(
-                "at the reference point the published relations return {} kN and {}, not {} kN and {} (factors 0.93 and 0.98)",
-                kn(*force),
-                m(*deflection),
-                kn(*reference_force),
-                m(*reference_deflection)
+                "at the reference point the published relations return {}, not {} (factors 0.93 and 0.98)",
+                record(*force, *deflection, " and "),
+                record(*reference_force, *reference_deflection, " and ")
             ),
             Warning::ExampleMesh => {
                 "this mesh is an example of the file format; its values are not a product's".into()

@@ -58,9 +58,10 @@ pub struct LabRecord {
     /// Largest punching force F_l, N (kN in files), above 0.
     #[serde(with = "units::file::force")]
     pub force: f64,
-    /// Deflection at failure delta_l, m, above 0.
-    #[serde(with = "units::file::length")]
-    pub deflection: f64,
+    /// Deflection at failure delta_l, m, above 0; missing where only the force was published: then there
+    /// are forces and no curve.
+    #[serde(with = "units::file::maybe_length", default, skip_serializing_if = "Option::is_none")]
+    pub deflection: Option<f64>,
     /// Whether the two values are means or characteristic values.
     pub statistic: Statistic,
     /// Side of the square test panel, m; the standard one is 3.0 m.
@@ -190,13 +191,10 @@ impl MeshType {
             LARGEST_FORCE,
             "above 0, up to 10000 kN",
         );
-        number(
-            "laboratory.deflection",
-            lab.deflection,
-            m(lab.deflection),
-            LARGEST_DEFLECTION,
-            "above 0, up to 10 m",
-        );
+        if let Some(deflection) = lab.deflection {
+            let range = "above 0, up to 10 m";
+            number("laboratory.deflection", deflection, m(deflection), LARGEST_DEFLECTION, range);
+        }
         number("laboratory.panel", lab.panel, m(lab.panel), LARGEST_PANEL, "above 0, up to 20 m");
         if let Some(r) = &self.ratios {
             number("ratios.force", r.force, shortest(r.force), 10.0, "above 0, up to 10");

@@ -389,7 +389,6 @@ mod tests {
         let fields: Vec<String> = wrong::<ProjectFile>(text).into_iter().map(|f| f.0).collect();
         let due = [
             "name",
-            "meshes[0].laboratory.deflection",
             "meshes[0].laboratory.statistic",
             "meshes[0].laboratory.source",
             "meshes[0].laboratory.force",

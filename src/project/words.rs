@@ -80,7 +80,7 @@ pub(crate) fn needed(holder: &str) -> &'static [&'static str] {
         "Project" => &["version", "name", "layouts"],
         "Layout" => &["name", "d", "L", "D"],
         "MeshType" => &["id", "laboratory"],
-        "LabRecord" => &["force", "deflection", "statistic", "source"],
+        "LabRecord" => &["force", "statistic", "source"],
         "RatioRecord" => &["force", "deflection", "source"],
         "WireData" => &["net", "single", "double_twist", "source"],
         "NetGeometry" => {

@@ -8,7 +8,7 @@ use super::value::{NamedColumn, Value, kn};
 use crate::case::{CasePoint, CaseValue, Input, Question};
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
-use crate::forecast::{Field, Forecast, Values};
+use crate::forecast::{Field, Forecast, Strength};
 use crate::study::checks::change::CheckChange;
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
@@ -22,7 +22,7 @@ use crate::words::Choice;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PointRow<'a> {
     /// F_a and delta_a.
-    pub(crate) values: Option<Values>,
+    pub(crate) values: Option<Strength>,
     /// Answer to the design question.
     pub(crate) answer: Option<Answer>,
     /// Why there are no values: a code.
@@ -66,7 +66,7 @@ impl<'a> From<&'a CompareRow> for PointRow<'a> {
 pub(crate) fn point<'a>() -> [NamedColumn<PointRow<'a>>; 7] {
     [
         ("F_kN", |p| p.values.map(|v| to_kn(v.force)).into()),
-        ("delta_m", |p| p.values.map(|v| v.deflection).into()),
+        ("delta_m", |p| p.values.and_then(|v| v.deflection).into()),
         ("utilisation", |p| p.answer.and_then(|a| a.at_force).map(|at| at.utilisation).into()),
         ("design_delta_m", |p| p.answer.and_then(|a| a.at_force?.deflection).into()),
         ("service_delta_m", |p| p.answer.and_then(|a| a.at_force?.service_deflection).into()),
@@ -88,9 +88,9 @@ pub(crate) const RATIOS: [NamedColumn<Forecast>; 2] =
 /// each anchor carries the whole force of its cell.
 pub(crate) const STIFFNESS: [NamedColumn<Field>; 4] = [
     ("anchor_kN", |f| kn(f.values.force)),
-    ("secant_kN_per_m", |f| kn(f.secant_at(f.values.deflection))),
-    ("tangent_kN_per_m", |f| kn(f.tangent_at(f.values.deflection))),
-    ("energy_kJ", |f| to_kj(f.energy_to(f.values.deflection)).into()),
+    ("secant_kN_per_m", |f| f.end().map(|v| to_kn(v.secant_at(v.deflection))).into()),
+    ("tangent_kN_per_m", |f| f.end().map(|v| to_kn(v.tangent_at(v.deflection))).into()),
+    ("energy_kJ", |f| f.end().map(|v| to_kj(v.energy_to(v.deflection))).into()),
 ];
 
 /// Field values over laboratory values.
@@ -128,7 +128,7 @@ impl<'a> CheckRow<'a> {
     /// An answer beside a forecast, where there is one, for a design question.
     pub(crate) fn new(
         answer: &'a CheckAnswer,
-        forecast: Option<Values>,
+        forecast: Option<Strength>,
         question: &Question,
     ) -> CheckRow<'a> {
         let (result, missing) = (answer.as_ref().ok(), answer.as_ref().err());
@@ -171,7 +171,9 @@ pub(crate) fn check_more<'a>() -> [NamedColumn<CheckRow<'a>>; 11] {
         ("check_F_error_kN", |c| c.read(|f| f.error.map(|e| to_kn(e.force)))),
         ("check_delta_error_m", |c| c.read(|f| f.error.map(|e| e.deflection))),
         ("difference_F_pct", |c| c.read(|f| f.difference.map(|d| 100.0 * d.force))),
-        ("difference_delta_pct", |c| c.read(|f| f.difference.map(|d| 100.0 * d.deflection))),
+        ("difference_delta_pct", |c| {
+            c.read(|f| f.difference.and_then(|d| d.deflection).map(|d| 100.0 * d))
+        }),
         check_runs(),
         ("check_slipped", |c| c.result.map(|v| v.slipped).into()),
         ("check_missing", |c| c.missing.map(super::super::study::checks::NoCheck::code).into()),

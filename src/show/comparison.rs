@@ -1,6 +1,6 @@
 //! The table of a comparison: what its columns are called and what stands in them, for people.
 
-use super::effect::{deflection, number};
+use super::effect::{deflection, maybe_deflection, number};
 use super::verdict;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::sensitivity::Effect;
@@ -50,9 +50,7 @@ pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String
             Ok(v) => number(v.force, Effect::Force, unit),
             Err(why) => why.short().into(),
         },
-        Column::Deflection => {
-            row.values().map_or_else(|_| none(), |v| deflection(v.deflection, unit))
-        }
+        Column::Deflection => maybe_deflection(row.values().ok().and_then(|v| v.deflection), unit),
         Column::ForceRatio => {
             ratio(forecast.and_then(super::super::forecast::Forecast::force_over_lab))
         }

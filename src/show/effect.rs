@@ -9,7 +9,7 @@ use crate::units::{LengthUnit, percent, significant, to_kn};
 pub(crate) fn read(point: &CasePoint, effect: Effect) -> Option<f64> {
     match effect {
         Effect::Force => Some(point.values().force),
-        Effect::Deflection => Some(point.values().deflection),
+        Effect::Deflection => point.values().deflection,
         Effect::Utilisation => point.utilisation(),
         Effect::Service => point.service_deflection(),
     }
@@ -90,6 +90,11 @@ pub(crate) fn deflection(metres: f64, unit: LengthUnit) -> String {
         LengthUnit::Metre => format!("{metres:.3}"),
         LengthUnit::Millimetre => format!("{:.0}", metres * unit.per_metre()),
     }
+}
+
+/// The same of one that may be missing, `-`.
+pub(crate) fn maybe_deflection(metres: Option<f64>, unit: LengthUnit) -> String {
+    metres.map_or("-".into(), |metres| deflection(metres, unit))
 }
 
 /// How changes of a value are written.

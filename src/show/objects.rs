@@ -6,7 +6,7 @@ use crate::VERSION;
 use crate::case::{Case, CaseValue, Input, Question};
 use crate::curve::Curve;
 use crate::fingerprint::Fingerprint;
-use crate::forecast::Values;
+use crate::forecast::Strength;
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
 use crate::layout::Blocks;
@@ -37,18 +37,19 @@ pub(crate) fn inputs(case: &Case) -> Object {
 }
 
 /// A force (N) with its deflection (m).
-pub(crate) fn pair(force: f64, deflection: f64) -> Object {
-    Object::new().with("F_kN", kn(force)).with("delta_m", deflection)
+pub(crate) fn pair(force: f64, deflection: impl Into<Option<f64>>) -> Object {
+    Object::new().with("F_kN", kn(force)).with("delta_m", deflection.into())
 }
 
 /// The same of values.
-pub(crate) fn values(values: Values) -> Object {
+pub(crate) fn values(values: Strength) -> Object {
     pair(values.force, values.deflection)
 }
 
 /// A force with its deflection; nothing in both where there is none.
-pub(crate) fn maybe_pair(pair: Option<(f64, f64)>) -> Object {
-    Object::new().with("F_kN", pair.map(|p| to_kn(p.0))).with("delta_m", pair.map(|p| p.1))
+pub(crate) fn maybe_pair<D: Into<Option<f64>>>(pair: Option<(f64, D)>) -> Object {
+    let (force, deflection) = pair.map(|p| (to_kn(p.0), p.1.into())).unzip();
+    Object::new().with("F_kN", force).with("delta_m", deflection.flatten())
 }
 
 /// A curve.
@@ -115,16 +116,20 @@ pub(crate) fn of_point(outcome: &CaseValue) -> Option<Object> {
 
 /// How the values of a case differ from a study's base, also as parts of the base's.
 pub(crate) fn change(c: &Change) -> Object {
-    moved([c.force, c.deflection], c.utilisation, [c.force_part, c.deflection_part])
+    moved((c.force, c.deflection), c.utilisation, (c.force_part, c.deflection_part))
         .with("service_delta_m", c.service)
         .with("other_branch", c.other_branch)
 }
 
-fn moved([force, deflection]: [f64; 2], utilisation: Option<f64>, parts: [f64; 2]) -> Object {
-    pair(force, deflection)
+fn moved(
+    values: (f64, Option<f64>),
+    utilisation: Option<f64>,
+    parts: (f64, Option<f64>),
+) -> Object {
+    pair(values.0, values.1)
         .with("utilisation", utilisation)
-        .with("F", parts[0])
-        .with("delta", parts[1])
+        .with("F", parts.0)
+        .with("delta", parts.1)
 }
 
 /// What all checks of a study have in common.
@@ -154,8 +159,9 @@ fn made(row: &CheckRow, result: &CheckResult, change: Option<Option<&CheckChange
         .with("F_kN", ends(f.and_then(|f| f.force_band).map(|b| b.map(to_kn))))
         .with("delta_m", ends(f.and_then(|f| f.deflection_band)));
     let difference = f.and_then(|f| f.difference);
-    let difference = difference
-        .map(|d| Object::new().with("F", 100.0 * d.force).with("delta", 100.0 * d.deflection));
+    let difference = difference.map(|d| {
+        Object::new().with("F", 100.0 * d.force).with("delta", d.deflection.map(|d| 100.0 * d))
+    });
     let error = f.and_then(|f| f.error).map(|v| (v.force, v.deflection));
     mean.with("band", band)
         .with("standard_error", maybe_pair(error))
@@ -180,8 +186,8 @@ fn check_change(c: &CheckChange) -> Object {
         .with("delta_m", c.deflection.error)
         .with("utilisation", c.utilisation.and_then(|k| k.error));
     let utilisation = c.utilisation.map(|k| k.value);
-    let parts = [c.force_part, c.deflection_part];
-    moved([c.force.value, c.deflection.value], utilisation, parts)
+    let parts = (c.force_part, Some(c.deflection_part));
+    moved((c.force.value, Some(c.deflection.value)), utilisation, parts)
         .with("standard_error", error)
         // Whether the errors are those of pairs of runs with the same seed.
         .with("paired", c.paired)

@@ -1,13 +1,16 @@
 //! What a case gives, in a line for people.
 
 use crate::case::CasePoint;
-use crate::forecast::Values;
+use crate::forecast::Strength;
+use crate::study::checks::Difference;
 use crate::study::checks::figures::Figures;
-use crate::units::{LengthUnit, force_text, length_text, percent, significant, to_kn};
+use crate::units::{
+    LengthUnit, force_text, length_text, maybe_length_text, percent, significant, to_kn,
+};
 
 /// `F_a 27.1 kN, delta_a 0.635 m`.
-pub(crate) fn values(v: Values, unit: LengthUnit) -> String {
-    format!("F_a {}, delta_a {}", force_text(v.force), length_text(v.deflection, unit))
+pub(crate) fn values(v: Strength, unit: LengthUnit) -> String {
+    format!("F_a {}, delta_a {}", force_text(v.force), maybe_length_text(v.deflection, unit))
 }
 
 /// The same with the use, where a design force is set, and the deflection at that force without its
@@ -32,6 +35,12 @@ pub(crate) fn used(utilisation: Option<f64>) -> String {
     utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)))
 }
 
+/// How far a check is from the forecast: `F +5 %, delta -3 %`.
+pub(crate) fn difference(d: &Difference) -> String {
+    let delta = d.deflection.map(|part| format!(", delta {:+.0} %", 100.0 * part));
+    format!("F {:+.0} %{}", 100.0 * d.force, delta.unwrap_or_default())
+}
+
 /// What a check says, with its difference from the forecast.
 pub(crate) fn check(f: &Figures, unit: LengthUnit) -> String {
     let Some(mean) = f.mean else { return "no run broke a wire".into() };
@@ -39,9 +48,7 @@ pub(crate) fn check(f: &Figures, unit: LengthUnit) -> String {
     let band = f.force_band.map_or(String::new(), |[low, high]| {
         format!(" ({}-{})", significant(to_kn(low), 3), significant(to_kn(high), 3))
     });
-    let over = f.difference.map_or(String::new(), |d| {
-        format!("; F {:+.0} %, delta {:+.0} %", 100.0 * d.force, 100.0 * d.deflection)
-    });
+    let over = f.difference.map_or(String::new(), |d| format!("; {}", difference(&d)));
     let force = significant(to_kn(mean.force), 3);
     let (reached, used) = (length_text(mean.deflection, unit), used(f.utilisation));
     format!("{force}{error} kN{band}, {reached}{used}{over}")

@@ -4,7 +4,7 @@ use super::verdict::{Aspect, Basis, Simulated, Verdict, verdict};
 use crate::case::{Case, Derived, Input, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::forecast::design::{Answer, AtForce};
-use crate::forecast::{Forecast, Values};
+use crate::forecast::{Forecast, Strength};
 use crate::problem::Problem;
 use crate::remark::Weight;
 use crate::words::Choice;
@@ -25,7 +25,7 @@ pub struct CompareRow {
 
 impl CompareRow {
     /// F_a and delta_a, or why there are none.
-    pub(crate) fn values(&self) -> Result<Values, NoValue> {
+    pub(crate) fn values(&self) -> Result<Strength, NoValue> {
         match &self.derived {
             Ok(d) => d.forecast.field.map(|field| field.values).map_err(NoValue::Outside),
             Err(problems) => Err(NoValue::Senseless(problems.clone())),
@@ -70,7 +70,7 @@ impl CompareRow {
             Column::Name | Column::Mesh => None,
             Column::Size(input) => self.case.get(input),
             Column::Force => values().map(|v| v.force),
-            Column::Deflection => values().map(|v| v.deflection),
+            Column::Deflection => values()?.deflection,
             Column::ForceRatio => forecast?.force_over_lab(),
             Column::DeflectionRatio => forecast?.deflection_over_lab(),
             Column::Utilisation => self.utilisation(),

@@ -30,6 +30,17 @@ pub enum Requirement {
 }
 
 impl Requirement {
+    /// The requirements that a case's question sets and its mesh can answer: without the laboratory's
+    /// deflection there is none of the panel.
+    pub(crate) fn of(case: &Case) -> Vec<Requirement> {
+        let question = case.asked();
+        let known = case.mesh.laboratory.deflection.is_some();
+        Requirement::asked(&Question {
+            deflection: question.deflection.filter(|_| known),
+            ..question
+        })
+    }
+
     /// The requirements that a question sets.
     pub fn asked(question: &Question) -> Vec<Requirement> {
         match (question.force, question.deflection) {
@@ -62,7 +73,7 @@ impl Requirement {
         match self {
             Requirement::Force => margin(checks()[Aspect::Strength as usize]),
             Requirement::Deflection if case.asked().force.is_none() => {
-                Some(case.question.deflection? / point.values().deflection - 1.0)
+                Some(case.question.deflection? / point.values().deflection? - 1.0)
             }
             Requirement::Deflection => {
                 let checked = checks()[Aspect::Deflection as usize];
@@ -187,7 +198,7 @@ pub fn solve(
     basis: Basis,
 ) -> Option<Solution> {
     let range = input.row().published?;
-    if !Requirement::asked(&case.asked()).contains(&requirement) {
+    if !Requirement::of(case).contains(&requirement) {
         return None;
     }
     let search = Search { case, input, requirement, basis };
@@ -346,7 +357,8 @@ fn kind(inside: &CasePoint, outside: &CaseValue) -> RequirementKind {
         Ok(outside) => {
             let (a, b) = (inside.values(), outside.values());
             let jump = |a: f64, b: f64| (a - b).abs() > JUMP * a.abs();
-            if jump(a.force, b.force) || jump(a.deflection, b.deflection) {
+            let deflections = a.deflection.zip(b.deflection);
+            if jump(a.force, b.force) || deflections.is_some_and(|(a, b)| jump(a, b)) {
                 RequirementKind::Jump
             } else {
                 RequirementKind::Exact

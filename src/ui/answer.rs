@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::remark::Weight;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
-use crate::units::{force_text, length_text};
+use crate::units::{force_text, length_text, maybe_length_text};
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -100,13 +100,12 @@ type Lines = Vec<(String, Style)>;
 
 /// What was found, and how.
 fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> (Lines, Lines) {
-    let m = |v: f64| length_text(v, app.units());
     let mark = if forecast.extrapolated() { " !" } else { "" };
     let mut lines = vec![(
         format!(
             "F_a {}  delta_a {}{mark}",
             force_text(field.values.force),
-            m(field.values.deflection)
+            maybe_length_text(field.values.deflection, app.units())
         ),
         theme.forecast,
     )];

@@ -38,7 +38,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     }
     let Some(mut chart) = axes(app, area, theme) else { return };
     let mut grid = chart.plot.grid();
-    let laboratory = app.result().forecast().map(|f| f.laboratory);
+    let laboratory = app.result().forecast().and_then(|f| f.laboratory.both());
     if let Some(values) = laboratory {
         let pattern = Pattern::Dashed(1, 3);
         let pen = DotPen { ink: Ink::Laboratory, pattern, ascii: Some('.') };
@@ -73,9 +73,12 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
         None => {
             let row = chart.plot.size().1 / 2;
-            let why =
-                app.result().forecast().and_then(|f| f.field.err()).map_or("", |why| why.short());
-            chart.plot.text(row, 1, &format!("no value: {why}"), Ink::Caution);
+            let why = match app.result().forecast().map(|f| f.field) {
+                Some(Ok(_)) => "no curve: the laboratory's deflection is missing".to_string(),
+                Some(Err(why)) => format!("no value: {}", why.short()),
+                None => "no value: ".to_string(),
+            };
+            chart.plot.text(row, 1, &why, Ink::Caution);
         }
     }
     text::draw(&chart.plot.picture, area, buf, theme);
@@ -88,7 +91,7 @@ fn end(values: &Values) -> Point {
 
 /// F_a and delta_a of a layout's results.
 fn field_values(result: &LayoutResult) -> Option<Values> {
-    result.forecast().and_then(|f| f.field.ok()).map(|f| f.values)
+    result.forecast().and_then(|f| f.field.ok()).and_then(|f| f.end())
 }
 
 /// The overlaid layouts but for the selected one, which is drawn anyway.
@@ -113,7 +116,7 @@ fn axes(app: &App, area: Rect, theme: &Theme) -> Option<CurvePlot> {
     force = force.max(checked.force);
     deflection = deflection.max(checked.deflection);
     if let Some(f) = app.result().forecast() {
-        deflection = deflection.max(f.laboratory.deflection);
+        deflection = deflection.max(f.laboratory.deflection.unwrap_or(0.0));
         if force == 0.0 {
             force = f.laboratory.force;
         }

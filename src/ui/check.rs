@@ -10,6 +10,8 @@ use crate::job::pace::duration;
 use crate::remark::Weight;
 use crate::show::grid::{DotGrid, DotPen, Pattern};
 use crate::show::picture::Ink;
+use crate::show::say;
+use crate::study::checks::{self, Difference};
 use crate::study::remark::CheckRemark;
 use crate::study::result::places::Places;
 use crate::units::{force_text, length_text, significant, to_kn};
@@ -42,9 +44,8 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
         _ => result.runs.to_string(),
     };
     let word = if runs == "1" { "run" } else { "runs" };
-    let difference = difference(app, &shown).map_or(String::new(), |(force, deflection)| {
-        format!("F {force:+.0} %, delta {deflection:+.0} %; ")
-    });
+    let difference = difference(app, &shown);
+    let difference = difference.map_or(String::new(), |d| format!("{}; ", say::difference(&d)));
     let cut = if result.partial() {
         format!(", {}", CheckRemark::Cancelled(None).short())
     } else {
@@ -106,14 +107,10 @@ fn figures(app: &App, shown: &ShownCheck) -> String {
     )
 }
 
-/// Difference of the check from the forecast, %, of the inputs as they are.
-fn difference(app: &App, shown: &ShownCheck) -> Option<(f64, f64)> {
+/// Difference of the check from the forecast of the inputs as they are.
+fn difference(app: &App, shown: &ShownCheck) -> Option<Difference> {
     let field = app.result().forecast()?.field.ok()?;
-    let (result, values) = (shown.result, field.values);
-    (result.broke() && !shown.stale()).then(|| {
-        let part = |check: f64, forecast: f64| 100.0 * (check / forecast - 1.0);
-        (part(result.force.mean, values.force), part(result.deflection.mean, values.deflection))
-    })
+    checks::difference(shown.result, field.values).filter(|_| !shown.stale())
 }
 
 /// How far the chart must reach for the check.

@@ -4,7 +4,7 @@ use super::layouts::first_shown;
 use super::text::{clear, cut, heading, put, spot};
 use super::theme::Theme;
 use crate::app::App;
-use crate::units::{force_text, length_text};
+use crate::units::{force_text, length_text, maybe_length_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
@@ -35,7 +35,7 @@ pub(crate) fn draw(
             " {sign}{used} {:<16} {:>9} {:>8}  {}{inline}",
             mesh.id,
             force_text(mesh.laboratory.force),
-            length_text(mesh.laboratory.deflection, app.units()),
+            maybe_length_text(mesh.laboratory.deflection, app.units()),
             mesh.title()
         );
         let style = if i == index { theme.selected } else { theme.text };
@@ -50,7 +50,7 @@ pub(crate) fn draw(
         format!(
             "punch test {} at {}, {}; panel {}, punch {}",
             force_text(lab.force),
-            length_text(lab.deflection, app.units()),
+            maybe_length_text(lab.deflection, app.units()),
             lab.statistic.word(),
             length_text(lab.panel, app.units()),
             length_text(lab.punch, app.units())

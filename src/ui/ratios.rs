@@ -3,7 +3,7 @@
 use super::text::{below, heading, put, put_right};
 use super::theme::Theme;
 use crate::app::App;
-use crate::units::{force_text, length_text};
+use crate::units::{force_text, maybe_length_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -21,7 +21,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         ("delta_a/delta_l*", ratio(forecast.deflection_over_lab())),
     ];
     if list.height >= 8 {
-        let m = |v: f64| length_text(v, app.units());
+        let m = |v: Option<f64>| maybe_length_text(v, app.units());
         rows.push(("F_l*", force_text(forecast.laboratory.force)));
         rows.push(("delta_l*", m(forecast.laboratory.deflection)));
         rows.push(("F_a*", force_text(forecast.reference.force)));

@@ -33,20 +33,21 @@ pub(crate) const TABLE: u16 = 48;
 pub(crate) fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     heading(buf, area, "along the curve", "", theme);
     let list = below(area, 1);
-    let Some(field) = app.result().forecast().and_then(|f| f.field.ok()) else { return };
+    let field = app.result().forecast().and_then(|f| f.field.ok());
+    let Some(end) = field.and_then(|field| field.end()) else { return };
     let header = "delta      F kN    tangent     secant  energy";
     put(buf, list, 0, 1, header, theme.heading);
     put(buf, list, 1, 1, "                       kN/m       kN/m      kJ", theme.heading);
     for (row, percent) in [25, 50, 75, 90, 100].into_iter().enumerate() {
-        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        let delta = end.deflection * f64::from(percent) / 100.0;
         let number = |newton: f64| significant(to_kn(newton), 3);
         let text = format!(
             "{:<8} {:>6} {:>10} {:>10} {:>7}",
             length_text(delta, app.units()),
-            number(field.force_at(delta)),
-            number(field.tangent_at(delta)),
-            number(field.secant_at(delta)),
-            number(field.energy_to(delta)),
+            number(end.force_at(delta)),
+            number(end.tangent_at(delta)),
+            number(end.secant_at(delta)),
+            number(end.energy_to(delta)),
         );
         put(buf, list, row as u16 + 2, 1, &text, theme.text);
     }

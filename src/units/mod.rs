@@ -327,6 +327,11 @@ pub(crate) fn length_text(metres: f64, unit: LengthUnit) -> String {
     }
 }
 
+/// The same of one that may be missing, `-`.
+pub(crate) fn maybe_length_text(metres: Option<f64>, unit: LengthUnit) -> String {
+    metres.map_or("-".into(), |metres| length_text(metres, unit))
+}
+
 /// A computed force in kN at three significant digits, with its unit: `31.0 kN`.
 pub(crate) fn force_text(newton: f64) -> String {
     format!("{} kN", significant(to_kn(newton), 3))
@@ -414,6 +419,25 @@ pub(crate) mod file {
                 )?
             }
         };
+    }
+
+    /// A length that may be missing.
+    pub(crate) mod maybe_length {
+        use super::*;
+        /// Reads the length, m.
+        pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+            d: D,
+        ) -> Result<Option<f64>, D::Error> {
+            super::length::deserialize(d).map(Some)
+        }
+        /// Writes the length as a bare number; a missing one as an empty value.
+        #[expect(clippy::ref_option, reason = "serde's `with` hands over a reference to the field")]
+        pub(crate) fn serialize<S: Serializer>(v: &Option<f64>, s: S) -> Result<S::Ok, S::Error> {
+            match v {
+                Some(v) => super::length::serialize(v, s),
+                None => s.serialize_none(),
+            }
+        }
     }
 
     quantity_module!(length, Quantity::Length, |v| v);

@@ -22,8 +22,8 @@ fn single(c: &mut Criterion) {
         c.bench_function(&format!("{name}, with curve"), |b| {
             b.iter(|| {
                 let result = run(&layout);
-                let curve =
-                    result.as_ref().ok().and_then(|f| f.field.ok()).map(|f| f.curve(CURVE_POINTS));
+                let end = result.as_ref().ok().and_then(|f| f.field.ok()?.end());
+                let curve = end.map(|end| end.curve(CURVE_POINTS));
                 (result, curve)
             });
         });

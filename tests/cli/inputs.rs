@@ -113,3 +113,41 @@ fn signs_that_command_a_terminal_or_turn_a_line_are_refused_by_name() {
         assert!(!said.chars().any(odd), "{said:?}");
     }
 }
+
+#[test]
+fn a_record_of_the_force_alone_gives_forces_and_says_what_is_missing() {
+    let path = "tests/files/valid/strength_only.ron";
+    let v = json(&["forecast", path, "--layout", "a"]);
+    // Eq. A.1 by hand: 180 kN x 29.1/73.3 x (0.06 + 0.94) x (1.5 x 0.33 + 0.45) x (0.4/3 + 0.84).
+    let force = 180.0 * 29.1 / 73.3 * 1.0 * (1.5 * 0.33 + 0.45) * (0.4 / 3.0 + 0.84);
+    assert!((v["field"]["F_kN"].as_f64().unwrap() - force).abs() < 1e-9, "{v}");
+    assert!(v["field"]["delta_m"].is_null() && v["curve"].is_null(), "{v}");
+    assert!(v["lab"]["delta_m"].is_null() && v["field"]["energy_kJ"].is_null(), "{v}");
+    assert!(v["warnings"].as_array().unwrap().iter().any(|w| w["code"] == "strength_only"), "{v}");
+    let checks = &v["verdict"]["checks"];
+    let state = |aspect: &str| {
+        let all = checks.as_array().unwrap().iter();
+        all.filter(|c| c["check"] == aspect).map(|c| c["state"].clone()).next().unwrap()
+    };
+    assert_eq!((state("strength"), state("deflection")), ("pass".into(), "not judged".into()));
+    let text = good(&["forecast", path]);
+    assert!(text.contains("none: the laboratory record has no deflection"), "{text}");
+    assert!(!text.contains("NaN") && !text.contains("beyond failure"), "{text}");
+    for command in [
+        &["compare", path][..],
+        &["sensitivity", path],
+        &["sweep", path, "--vary", "L", "--from", "2", "--to", "3"],
+        &["design", path],
+        &["report", path, "--format", "md"],
+        &["export", path, "--what", "table"],
+        &["export", path, "--what", "chart"],
+    ] {
+        let out = good(command);
+        assert!(!out.contains("NaN") && out.contains("a"), "{command:?}: {out}");
+    }
+    // Forces can be designed for; deflections have no answer.
+    let designed = json(&["design", path, "--solve", "d"]);
+    let solved = designed[0]["solutions"].as_array().unwrap();
+    let asked: Vec<_> = solved.iter().map(|r| r["requirement"].clone()).collect();
+    assert_eq!(asked, ["force"], "{designed}");
+}

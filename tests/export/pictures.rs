@@ -169,7 +169,7 @@ fn more_layouts_than_styles_are_told_apart_by_numbers() {
 
 /// A check somewhat off the forecast, with a band.
 fn check(case: &ExportedLayout) -> Check {
-    let mut values = case.forecast().field.expect("a field value").values;
+    let mut values = case.forecast().field.expect("a field value").end().expect("a curve");
     values.force *= 1.08;
     values.deflection *= 1.03;
     let mean: Curve = rescaled(values, 60);

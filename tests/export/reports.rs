@@ -131,7 +131,7 @@ fn edits_that_are_not_in_the_file_are_told() {
 fn a_check_stands_beside_its_forecast() {
     let project = super::sample("road-cut.ron");
     let cases = good(&project);
-    let mut values = cases[0].forecast().field.unwrap().values;
+    let mut values = cases[0].forecast().field.unwrap().end().unwrap();
     values.force *= 1.1;
     let check = Check {
         label: "check, 8 runs".into(),

@@ -15,7 +15,7 @@ fn table_1_comes_out_digit_for_digit() {
     for test in tests {
         let result =
             forecast(&test.layout(), &catalogue::reference(), BranchRule::Published).unwrap();
-        let values = result.field.unwrap().values;
+        let values = result.field.unwrap().end().unwrap();
         let force = format!("{:.1}", to_kn(values.force));
         let deflection = format!("{:.2}", values.deflection);
         let printed = (test.forecast.force.text(), test.forecast.deflection.text());

@@ -75,13 +75,12 @@ impl Editor {
 
     /// Where an optional input starts: three quarters of what the panel takes, rounded to a step.
     fn first_value(&self, field: Input) -> f64 {
-        let Some(panel) = self.result().forecast().and_then(|f| f.field.ok()) else {
-            return field.step(StepSize::Coarse);
-        };
-        let whole = match field {
-            Input::DesignForce => panel.values.force,
+        let panel = self.result().forecast().and_then(|f| f.field.ok());
+        let whole = panel.and_then(|panel| match field {
+            Input::DesignForce => Some(panel.values.force),
             _ => panel.values.deflection,
-        };
+        });
+        let Some(whole) = whole else { return field.step(StepSize::Coarse) };
         let step = field.step(StepSize::Fine);
         let steps = (0.75 * whole / step).round().max(1.0);
         on_grain(steps * step)

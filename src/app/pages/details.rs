@@ -4,9 +4,11 @@ use super::text::{PageLine, TextPage};
 use super::{check, method};
 use crate::app::App;
 use crate::case::Derived;
-use crate::forecast::{Field, Forecast};
+use crate::forecast::{Forecast, Strength, Values};
 use crate::show::verdict;
-use crate::units::{LengthUnit, force_text, length_text, percent, shortest, significant, to_kn};
+use crate::units::{
+    LengthUnit, force_text, length_text, maybe_length_text, percent, shortest, significant, to_kn,
+};
 use crate::words::Choice;
 
 /// All there is to know of the selected layout.
@@ -64,7 +66,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
             &format!(
                 "{}, {} ({}), panel {}, punch {}",
                 force_text(lab.force),
-                m(lab.deflection),
+                maybe_length_text(lab.deflection, unit),
                 lab.statistic.word(),
                 m(lab.panel),
                 m(lab.punch)
@@ -100,8 +102,10 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     if let Some(other) = field.other_branch {
         page.row("by the other branch", &pair(other, unit));
     }
-    if let (Some(f), Some(d)) = (forecast.force_over_lab(), forecast.deflection_over_lab()) {
-        page.row("F_a/F_l*, delta_a/delta_l*", &format!("{f:.3}, {d:.3}"));
+    match (forecast.force_over_lab(), forecast.deflection_over_lab()) {
+        (Some(f), Some(d)) => page.row("F_a/F_l*, delta_a/delta_l*", &format!("{f:.3}, {d:.3}")),
+        (Some(f), None) => page.row("F_a/F_l*", &format!("{f:.3}")),
+        _ => {}
     }
     let blocks = app.layout().layout;
     page.row("blocks of other cells", blocks.blocks.word());
@@ -112,24 +116,26 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
             &format!("at most {} (estimate)", force_text(bound * field.values.force)),
         ),
     }
-    curve(page, &field, unit);
+    if let Some(end) = field.end() {
+        curve(page, &end, unit);
+    }
     design(page, app, unit);
 }
 
 /// A few points of the curve, with stiffness and energy.
-fn curve(page: &mut TextPage, field: &Field, unit: LengthUnit) {
+fn curve(page: &mut TextPage, end: &Values, unit: LengthUnit) {
     page.heading("Curve (Eq. 3)");
     page.text("  part of delta_a  delta     F kN    tangent kN/m  secant kN/m  energy kJ", 2);
     for percent in [25, 50, 75, 90, 100] {
-        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        let delta = end.deflection * f64::from(percent) / 100.0;
         page.text(
             &format!(
                 "  {percent:>8} %       {:<9} {:<7} {:<13} {:<12} {}",
                 length_text(delta, unit),
-                significant(to_kn(field.force_at(delta)), 3),
-                significant(to_kn(field.tangent_at(delta)), 3),
-                significant(to_kn(field.secant_at(delta)), 3),
-                significant(to_kn(field.energy_to(delta)), 3),
+                significant(to_kn(end.force_at(delta)), 3),
+                significant(to_kn(end.tangent_at(delta)), 3),
+                significant(to_kn(end.secant_at(delta)), 3),
+                significant(to_kn(end.energy_to(delta)), 3),
             ),
             2,
         );
@@ -158,9 +164,10 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
         page.row("margin", &force_text(a.margin));
         page.row(
             "deflection under it",
-            &match a.deflection {
-                Some(reached) => length_text(reached, unit),
-                None => "beyond failure".into(),
+            &match (a.deflection, a.beyond_failure) {
+                (Some(reached), _) => length_text(reached, unit),
+                (None, true) => "beyond failure".into(),
+                (None, false) => "-".into(),
             },
         );
         if let Some(reached) = a.service_deflection {
@@ -177,6 +184,6 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
     }
 }
 
-fn pair(values: crate::forecast::Values, unit: LengthUnit) -> String {
-    format!("{}, {}", force_text(values.force), length_text(values.deflection, unit))
+fn pair(values: Strength, unit: LengthUnit) -> String {
+    format!("{}, {}", force_text(values.force), maybe_length_text(values.deflection, unit))
 }

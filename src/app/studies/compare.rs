@@ -96,7 +96,7 @@ impl CompareView {
             ColumnHead::DemForce => figures.mean.map(|v| v.force),
             ColumnHead::DemOverForce => difference.map(|d| d.force),
             ColumnHead::DemDeflection => figures.mean.map(|v| v.deflection),
-            ColumnHead::DemOverDeflection => difference.map(|d| d.deflection),
+            ColumnHead::DemOverDeflection => difference.and_then(|d| d.deflection),
             ColumnHead::DemUtilisation => figures.utilisation.filter(|_| !checked.stale),
         }
     }

@@ -113,7 +113,7 @@ impl DesignState {
     }
 
     fn made(&mut self, given: &Given, case: Case) -> DesignView {
-        let asked = Requirement::asked(&case.asked());
+        let asked = Requirement::of(&case);
         let chosen = self.requirement.filter(|r| asked.contains(r));
         // Both at once stands last.
         let requirement = chosen.or(asked.last().copied());

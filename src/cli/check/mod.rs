@@ -22,7 +22,7 @@ use super::{UiFlags, VERSION};
 use crate::case::{Case, expected_break};
 use crate::dem::{Arrangement, Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
-use crate::forecast::{Field, Values, laboratory};
+use crate::forecast::{Field, Strength, laboratory};
 use crate::mesh::STANDARD_PUNCH;
 use crate::problem::Problem;
 use crate::project;
@@ -92,7 +92,7 @@ impl Checked {
 #[derive(Debug, Clone, Copy, Default)]
 struct Forecast {
     /// Force and deflection at failure, where the method has them.
-    values: Option<Values>,
+    values: Option<Strength>,
     /// The whole curve, of the anchored test.
     field: Option<Field>,
     /// Whether there is none because the wires are of another net than the mesh.

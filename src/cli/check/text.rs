@@ -110,7 +110,7 @@ fn side_by_side(page: &mut Page, c: &Checked) {
     row(
         "  forecast",
         forecast.map_or_else(none, |v| force_text(v.force)),
-        forecast.map_or_else(none, |v| length(v.deflection)),
+        forecast.and_then(|v| v.deflection).map_or_else(none, length),
     );
     let (broken, counted) = (c.broken(), c.counted());
     let several = broken > 1;
@@ -130,7 +130,7 @@ fn side_by_side(page: &mut Page, c: &Checked) {
         row(
             "  check over forecast",
             percent(e.force.mean, v.force),
-            percent(e.deflection.mean, v.deflection),
+            v.deflection.map_or_else(none, |delta| percent(e.deflection.mean, delta)),
         );
     }
     if several {
@@ -206,7 +206,7 @@ fn blocks(page: &mut Page, c: &Checked) {
 }
 
 fn curves(page: &mut Page, c: &Checked) {
-    let expected: Option<Curve> = c.forecast.field.map(|f| f.curve(CURVE_POINTS));
+    let expected: Option<Curve> = c.forecast.field.and_then(|f| Some(f.end()?.curve(CURVE_POINTS)));
     let expected = expected.as_ref().map(|curve| ChartLine { curve, sign: '.' });
     let ours = c.ensemble.runs.iter().map(|r| ChartLine { curve: &r.outcome.curve, sign: '*' });
     let lines: Vec<ChartLine> = ours.chain(expected).collect();
@@ -216,7 +216,8 @@ fn curves(page: &mut Page, c: &Checked) {
     }
     page.lines.push(String::new());
     page.lines.extend(drawn);
-    let dots = if c.forecast.field.is_some() { " . forecast," } else { "" };
+    let dots =
+        if c.forecast.field.is_some_and(|f| f.end().is_some()) { " . forecast," } else { "" };
     page.lines.push(format!("          * runs of the check,{dots} X failure"));
     page.lines.push(String::new());
 }

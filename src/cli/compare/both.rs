@@ -48,7 +48,7 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
             f.error.map_or_else(none, |e| significant(to_kn(e.force), 2)),
             over(f.difference.map(|d| d.force)),
             f.mean.map_or_else(none, |v| deflection(v.deflection, unit)),
-            over(f.difference.map(|d| d.deflection)),
+            over(f.difference.and_then(|d| d.deflection)),
             f.utilisation.map_or_else(none, percent),
         ));
     }

@@ -66,7 +66,7 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
         .into_iter()
         .map(|c| {
             let case = c.case;
-            let asked = Requirement::asked(&case.asked());
+            let asked = Requirement::of(&case);
             let pairs = inputs.iter().flat_map(|i| asked.iter().map(move |r| (*i, *r)));
             let solutions = pairs.filter_map(|(i, r)| solve(&case, i, r, basis)).collect();
             let outcome = case.outcome();

@@ -157,9 +157,10 @@ fn place(page: &Page, p: &Place, requirement: Requirement) -> String {
     let Ok(point) = &p.outcome else { return format!("at {at} {}", outcome(page, &p.outcome)) };
     let used = point.utilisation().map(|u| format!("use {} %", percent(u)));
     let reached = match &point.answer.at_force {
-        None => page.length(point.values().deflection),
+        None => page.maybe_length(point.values().deflection),
         Some(force) => match force.service_deflection {
             Some(reached) => page.length(reached),
+            None if point.field.end().is_none() => "no deflection".to_string(),
             None => "failure before the load".to_string(),
         },
     };

@@ -5,24 +5,28 @@ use super::Answered;
 use crate::cli::output::Output;
 use crate::export::csv::curves;
 use crate::forecast::CURVE_POINTS;
+use crate::forecast::warning::Warning;
 use crate::remark::Weight;
 
 /// The table, with a note for every layout that has no curve.
 pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
     let with_curve = answered.iter().filter_map(|a| {
         let name = a.name.as_deref().unwrap_or_default();
-        Some((name, a.forecast.field.ok()?.curve(CURVE_POINTS)))
+        Some((name, a.forecast.field.ok()?.end()?.curve(CURVE_POINTS)))
     });
     let result = curves(with_curve, several);
-    let notes = answered.iter().filter(|a| a.forecast.field.is_err()).map(no_curve).collect();
+    let notes = answered.iter().filter_map(no_curve).collect();
     Output { result, notes, ..Output::default() }
 }
 
-fn no_curve(a: &Answered) -> String {
+/// Why a layout has no curve, if it has none.
+fn no_curve(a: &Answered) -> Option<String> {
+    if a.forecast.field.is_ok_and(|field| field.end().is_some()) {
+        return None;
+    }
     let name = a.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
-    let why = a.forecast.warnings.iter().find(|w| w.weight() == Weight::Outside);
-    format!(
-        "{name}no curve; {}",
-        why.map_or_else(|| "no field value".into(), crate::forecast::warning::Warning::sentence)
-    )
+    let tells = |w: &&Warning| w.weight() == Weight::Outside || **w == Warning::StrengthOnly;
+    let why = a.forecast.warnings.iter().find(tells);
+    let why = why.map_or_else(|| "no field value".into(), Warning::sentence);
+    Some(format!("{name}no curve; {why}"))
 }

@@ -3,7 +3,7 @@
 use super::{Answered, BASIS};
 use crate::cli::output::{Fault, json_list};
 use crate::forecast::eccentricity::published;
-use crate::forecast::{CURVE_POINTS, Field, Forecast, Values};
+use crate::forecast::{CURVE_POINTS, Field, Forecast, Strength};
 use crate::show::columns::{OVER_LAB, RATIOS, STIFFNESS};
 use crate::show::objects::{curve, design, head, inputs, values, warnings};
 use crate::show::value::{Object, Value};
@@ -30,14 +30,17 @@ fn one(a: &Answered) -> Object {
         .with("ratios", ratios(f))
         .with("design", a.design.map(|answer| design(&answer, &a.case.asked())))
         .maybe("verdict", a.case.question.asks().then(|| verdict::object(&a.case, &a.verdict)))
-        .with("curve", f.field.ok().map(|field| curve(&field.curve(CURVE_POINTS))))
+        .with(
+            "curve",
+            f.field.ok().and_then(|field| Some(curve(&field.end()?.curve(CURVE_POINTS)))),
+        )
         .with("warnings", warnings(&f.warnings))
         .with("basis", BASIS)
 }
 
 fn laboratory(a: &Answered) -> Object {
     let record = &a.case.mesh.laboratory;
-    let measured = Values { force: record.force, deflection: record.deflection };
+    let measured = Strength { force: record.force, deflection: record.deflection };
     values(a.forecast.laboratory)
         .with("statistic", record.statistic.word())
         .with("panel_m", record.panel)

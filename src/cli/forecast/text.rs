@@ -3,9 +3,9 @@
 use super::Answered;
 use crate::cli::output::wrapped;
 use crate::cli::page::{BASIS, MARGIN, Page, WIDTH};
-use crate::forecast::Field;
 use crate::forecast::field::Branch;
 use crate::forecast::warning::Warning;
+use crate::forecast::{Field, Values};
 use crate::units::{LengthUnit, force_text, significant};
 use crate::units::{to_kj, to_kn};
 use crate::words::Choice;
@@ -29,7 +29,10 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
         Ok(field) => {
             values(&mut page, a, field);
             eccentricity(&mut page, a);
-            curve(&mut page, field);
+            match field.end() {
+                Some(end) => curve(&mut page, &end),
+                None => page.line("curve", "none: the laboratory record has no deflection"),
+            }
             page.line(
                 "each anchor",
                 format!(
@@ -56,7 +59,7 @@ fn laboratory(page: &mut Page, a: &Answered) {
     let text = format!(
         "F_l* {}, delta_l* {}, {}; panel {}, punch {}",
         force_text(f.laboratory.force),
-        page.length(f.laboratory.deflection),
+        page.maybe_length(f.laboratory.deflection),
         record.statistic.word(),
         page.entry(record.panel),
         page.entry(record.punch)
@@ -68,7 +71,7 @@ fn laboratory(page: &mut Page, a: &Answered) {
         f.ratios.deflection,
         if f.ratios.default { "" } else { " (the mesh's own)" },
         force_text(f.reference.force),
-        page.length(f.reference.deflection)
+        page.maybe_length(f.reference.deflection)
     );
     page.line("ratios", text);
 }
@@ -82,13 +85,13 @@ fn words(branch: Branch) -> &'static str {
 
 fn values(page: &mut Page, a: &Answered, field: &Field) {
     let mark = if a.forecast.extrapolated() { " (extrapolated)" } else { "" };
-    let lab = a.forecast.laboratory;
+    let ratios = [a.forecast.force_over_lab(), a.forecast.deflection_over_lab()];
+    let ratios: Vec<_> = ratios.iter().flatten().map(|ratio| format!("{ratio:.3}")).collect();
     let text = format!(
-        "F_a {}, delta_a {}{mark}; {:.3} and {:.3} of the laboratory's",
+        "F_a {}, delta_a {}{mark}; {} of the laboratory's",
         force_text(field.values.force),
-        page.length(field.values.deflection),
-        field.values.force / lab.force,
-        field.values.deflection / lab.deflection
+        page.maybe_length(field.values.deflection),
+        ratios.join(" and ")
     );
     page.line("FIELD", text);
     let mut text = format!(
@@ -101,7 +104,7 @@ fn values(page: &mut Page, a: &Answered, field: &Field) {
         text.push_str(&format!(
             "; the other gives {}, {}",
             force_text(other.force),
-            page.length(other.deflection)
+            page.maybe_length(other.deflection)
         ));
     }
     page.line("branch", text);
@@ -120,14 +123,14 @@ fn eccentricity(page: &mut Page, a: &Answered) {
     );
 }
 
-fn curve(page: &mut Page, field: &Field) {
-    let end = field.values.deflection;
+fn curve(page: &mut Page, values: &Values) {
+    let end = values.deflection;
     let stiffness = |newton_per_metre: f64| significant(to_kn(newton_per_metre), 3);
     let text = format!(
         "at failure: tangent {}, secant {} kN/m; {} kJ absorbed",
-        stiffness(field.tangent_at(end)),
-        stiffness(field.secant_at(end)),
-        significant(to_kj(field.energy_to(end)), 3)
+        stiffness(values.tangent_at(end)),
+        stiffness(values.secant_at(end)),
+        significant(to_kj(values.energy_to(end)), 3)
     );
     page.line("stiffness", text);
 }

@@ -4,7 +4,7 @@ use super::show::object;
 use crate::cli::output::{CommandEnd, Format, json, result};
 use crate::mesh::catalogue;
 use crate::show::value::Value;
-use crate::units::{LengthUnit, force_text, length_text};
+use crate::units::{LengthUnit, force_text, maybe_length_text};
 use std::fmt::Write;
 
 /// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
@@ -42,7 +42,7 @@ pub(crate) fn run(format: Format) -> CommandEnd {
             mesh.id,
             mesh.title(),
             force_text(lab.force),
-            length_text(lab.deflection, LengthUnit::Metre),
+            maybe_length_text(lab.deflection, LengthUnit::Metre),
             lab.statistic.short(),
             remarks.join(", ")
         );

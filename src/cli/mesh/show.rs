@@ -37,7 +37,13 @@ fn text(mesh: &MeshType) -> String {
         line("", "an example of the format, not a product's values");
     }
     line("force F_l", &format!("{} kN ({})", shortest(to_kn(lab.force)), lab.statistic.word()));
-    line("deflection", &format!("{} ({})", metres(lab.deflection), lab.statistic.word()));
+    let delta = lab.deflection;
+    line(
+        "deflection",
+        &delta.map_or("not stated: forces only".into(), |delta| {
+            format!("{} ({})", metres(delta), lab.statistic.word())
+        }),
+    );
     line("panel", &metres(lab.panel));
     line("punch", &metres(lab.punch));
     line("standard", if lab.standard.is_empty() { "not stated" } else { &lab.standard });

@@ -32,8 +32,10 @@ pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
         format!("F {}{error}, delta {}", force_text(mean.force), page.length(mean.deflection));
     text.push_str(&say::used(f.utilisation));
     if let Some(d) = f.difference {
-        let parts = [100.0 * d.force, 100.0 * d.deflection];
-        text.push_str(&format!("; {:+.1} % and {:+.1} % over the forecast", parts[0], parts[1]));
+        let parts = [Some(d.force), d.deflection];
+        let parts = parts.iter().flatten().map(|part| format!("{:+.1} %", 100.0 * part));
+        let parts: Vec<String> = parts.collect();
+        text.push_str(&format!("; {} over the forecast", parts.join(" and ")));
     }
     page.line("CHECK", text);
 }

@@ -3,7 +3,7 @@
 use super::Swept;
 use crate::case::CaseValue;
 use crate::cli::page::{Page, WIDTH, input_unit, input_value, percent};
-use crate::show::effect::deflection;
+use crate::show::effect::{deflection, maybe_deflection};
 use crate::show::strip::{StripMark, strip};
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
@@ -53,7 +53,7 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
                 let used =
                     p.utilisation().map_or(String::new(), |u| format!("{:>USE$}", percent(u)));
                 let mark = if p.doubtful() { " !" } else { "" };
-                format!("{:>7}{:>9}{used}{mark}", kn(v.force), deflection(v.deflection, unit))
+                format!("{:>7}{:>9}{used}{mark}", kn(v.force), maybe_deflection(v.deflection, unit))
             }
             Err(why) => format!("{:>FORECAST$}", why.short()),
         };

@@ -4,7 +4,7 @@ use super::{Swept, both, map, point};
 use crate::case::CaseValue;
 use crate::cli::dem::text as dem;
 use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
-use crate::show::effect::deflection;
+use crate::show::effect::{deflection, maybe_deflection};
 use crate::show::strip::{StripMark, strip};
 use crate::study::result::Wanted;
 use crate::study::sweep::{SweepAxis, extent};
@@ -70,8 +70,8 @@ fn range(axis: &SweepAxis, unit: LengthUnit) -> String {
 fn line_plot(page: &mut Page, s: &Swept) {
     let (unit, input, points) = (page.unit, s.sweep.grid.first.input, &s.sweep.points);
     let forces = extent(points, |p| Some(p.values().force));
-    let deflections = extent(points, |p| Some(p.values().deflection));
-    let (Some(forces), Some(deflections)) = (forces, deflections) else {
+    let deflections = extent(points, |p| p.values().deflection);
+    let Some(forces) = forces else {
         page.line("field", "no value anywhere in the range");
         return;
     };
@@ -79,12 +79,15 @@ fn line_plot(page: &mut Page, s: &Swept) {
     page.line(
         "plot",
         format!(
-            "F from {} to {} kN, x delta_a from {} to {} {}, * both, left to right{}",
+            "F from {} to {} kN{}, left to right{}",
             kn(forces.0),
             kn(forces.1),
-            deflection(deflections.0, unit),
-            deflection(deflections.1, unit),
-            unit.symbol(),
+            deflections.map_or(String::new(), |(least, most)| format!(
+                ", x delta_a from {} to {} {}, * both",
+                deflection(least, unit),
+                deflection(most, unit),
+                unit.symbol()
+            )),
             if s.case.asked().force.is_some() { "; : where use is 100 %" } else { "" }
         ),
     );
@@ -116,14 +119,14 @@ fn line_plot(page: &mut Page, s: &Swept) {
                 let needed = p.answer.at_force.map(|at| at.utilisation * v.force);
                 let marks = [
                     needed.map(|needed| StripMark::at(needed, forces, ':')),
-                    Some(StripMark::at(v.deflection, deflections, 'x')),
+                    v.deflection.zip(deflections).map(|(v, ends)| StripMark::at(v, ends, 'x')),
                     Some(StripMark::at(v.force, forces, 'F')),
                 ];
                 let drawn = strip(width, marks.into_iter().flatten());
                 format!(
                     "{at:>11}{:>8}{:>10}{used} {mark} |{drawn}|",
                     kn(v.force),
-                    deflection(v.deflection, unit)
+                    maybe_deflection(v.deflection, unit)
                 )
             }
         };

@@ -9,7 +9,7 @@ use crate::mesh::MeshType;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, shortest, significant, to_kn,
+    LengthUnit, force_text, length_entry, maybe_length_text, shortest, significant, to_kn,
 };
 use crate::words::Choice;
 use sha2::{Digest, Sha256};
@@ -159,7 +159,7 @@ fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
     let (force, deflection) = match &forecast.field {
         Ok(field) => (
             strong(force_text(field.values.force)),
-            strong(length_text(field.values.deflection, unit)),
+            strong(maybe_length_text(field.values.deflection, unit)),
         ),
         Err(_) => ("no value".into(), nothing()),
     };
@@ -246,7 +246,7 @@ fn mesh(mesh: &MeshType, case: &ExportedLayout, unit: LengthUnit, document: &mut
             format!(
                 "{} at {}, {} values",
                 entered_force(lab.force),
-                length(lab.deflection),
+                lab.deflection.map_or("a deflection that is not stated".into(), length),
                 lab.statistic.word()
             )
             .into(),

@@ -5,7 +5,7 @@ use super::document::{Block, Picture, ReportDocument, Words, code, ours, sentenc
 use super::front::entered_force;
 use crate::export::svg::{Series, chart, plan};
 use crate::export::{Check, ExportedLayout, command};
-use crate::forecast::{Field, Values, field};
+use crate::forecast::{Field, Strength, Values, field};
 use crate::layout::Layout;
 use crate::mesh::STANDARD_PANEL;
 use crate::show::verdict;
@@ -41,7 +41,10 @@ pub(crate) fn layout(
     ]));
     steps(case, unit, document);
     if let Ok(field) = &case.forecast().field {
-        points(&case.case.layout, field, unit, document);
+        if let Some(end) = field.end() {
+            points(&end, unit, document);
+        }
+        anchors(&case.case.layout, field, document);
     }
     design(case, unit, document);
     if let Some(check) = check {
@@ -119,10 +122,13 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
     let mut row = |words: Words, force: String, deflection: String| {
         rows.push(vec![words, force.into(), deflection.into()]);
     };
-    let pair = |v: Values| (format!("{} kN", four(to_kn(v.force))), length(v.deflection));
+    let pair = |v: Strength| {
+        let delta = v.deflection.map_or("-".into(), length);
+        (format!("{} kN", four(to_kn(v.force))), delta)
+    };
     let lab = &case.case.mesh.laboratory;
     if lab.panel != STANDARD_PANEL {
-        let (f, d) = pair(Values { force: lab.force, deflection: lab.deflection });
+        let (f, d) = pair(Strength { force: lab.force, deflection: lab.deflection });
         let panel =
             format!("laboratory test, panel {} {}", length_entry(lab.panel, unit), unit.symbol());
         row(panel.into(), f, d);
@@ -166,9 +172,9 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
             let relation = branch.other().word().replace('_', " ");
             row(format!("the same by the other branch ({relation})").into(), f, d);
         }
-        if let (Some(f), Some(d)) = (forecast.force_over_lab(), forecast.deflection_over_lab()) {
-            row(ours("over the laboratory: {F_a}/{F_l*}, {delta_a}/{delta_l*}"), four(f), four(d));
-        }
+        let over = [forecast.force_over_lab(), forecast.deflection_over_lab()];
+        let [f, d] = over.map(|ratio| ratio.map_or("-".into(), four));
+        row(ours("over the laboratory: {F_a}/{F_l*}, {delta_a}/{delta_l*}"), f, d);
     }
     document.blocks.push(Block::Table {
         head: ["step", "force", "deflection"].map(Words::from).to_vec(),
@@ -178,17 +184,17 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
 }
 
 /// A few points of the curve.
-fn points(layout: &Layout, field: &Field, unit: LengthUnit, document: &mut ReportDocument) {
+fn points(end: &Values, unit: LengthUnit, document: &mut ReportDocument) {
     let three = |v: f64| Words::from(significant(v, 3));
     let rows = [25, 50, 75, 90, 100].map(|percent| {
-        let delta = field.values.deflection * f64::from(percent) / 100.0;
+        let delta = end.deflection * f64::from(percent) / 100.0;
         vec![
             Words::from(format!("{percent} %")),
             length_text(delta, unit).into(),
-            force_text(field.force_at(delta)).into(),
-            three(to_kn(field.tangent_at(delta))),
-            three(to_kn(field.secant_at(delta))),
-            three(to_kj(field.energy_to(delta))),
+            force_text(end.force_at(delta)).into(),
+            three(to_kn(end.tangent_at(delta))),
+            three(to_kn(end.secant_at(delta))),
+            three(to_kj(end.energy_to(delta))),
         ]
     });
     let head = ["of {delta_a}", "{delta}", "{F}", "tangent (kN/m)", "secant (kN/m)", "energy (kJ)"];
@@ -197,6 +203,10 @@ fn points(layout: &Layout, field: &Field, unit: LengthUnit, document: &mut Repor
         rows: rows.to_vec(),
         numbers: true,
     });
+}
+
+/// What each anchor carries.
+fn anchors(layout: &Layout, field: &Field, document: &mut ReportDocument) {
     let force = force_text(field.values.force);
     match layout.facing_bound() {
         None => document
@@ -237,7 +247,10 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
                 let reached = length_text(reached, unit);
                 ours(&format!("Deflection under that load: {reached}."))
             }
-            None => ours("That load is beyond failure: there is no deflection."),
+            None if at.beyond_failure => {
+                ours("That load is beyond failure: there is no deflection.")
+            }
+            None => ours("Deflection: unknown, the laboratory record has none."),
         });
     }
     if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
@@ -264,9 +277,11 @@ fn checked(case: &ExportedLayout, check: &Check, unit: LengthUnit, document: &mu
             let percent =
                 |ours: f64, theirs: f64| format!("{:+.0} %", (ours / theirs - 1.0) * 100.0);
             format!(
-                "; against the forecast {} in force and {} in deflection",
+                "; against the forecast {} in force{}",
                 percent(end.force, field.values.force),
-                percent(end.deflection, field.values.deflection)
+                field.values.deflection.map_or(String::new(), |delta| {
+                    format!(" and {} in deflection", percent(end.deflection, delta))
+                })
             )
         });
         let at = format!("{} at {}", force_text(end.force), length_text(end.deflection, unit));

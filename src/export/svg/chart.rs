@@ -7,7 +7,7 @@ use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
-use crate::forecast::{Values, rescaled};
+use crate::forecast::{Strength, Values, rescaled};
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
 
 /// A layout in a chart, with its check if there is one.
@@ -292,9 +292,17 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
         Ok(field) => {
             let mark = if forecast.extrapolated() { ", extrapolated" } else { "" };
             let words = format!("forecast: failure at {}{mark}", pair(field.values, unit));
-            let curve = field.curve(POINTS);
-            content.line(&curve, marks::FORECAST, Mark::Cross, "forecast", words);
-            if let Some(other) = field.other_branch {
+            match field.end() {
+                Some(end) => {
+                    let curve = end.curve(POINTS);
+                    content.line(&curve, marks::FORECAST, Mark::Cross, "forecast", words);
+                }
+                None => {
+                    content.remark = Some(STRENGTH_ONLY);
+                    content.words("", format!("{words}; {STRENGTH_ONLY}"));
+                }
+            }
+            if let Some(other) = field.other_branch.and_then(Strength::both) {
                 let relation = field.branch.other().word().replace('_', " ");
                 let words = format!(
                     "forecast by the other branch ({relation}), near the branch change at D = d: {}",
@@ -313,25 +321,26 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
     if let Some(check) = series.check {
         content.check(check, marks::CHECK, "check", unit);
     }
-    let laboratory = rescaled(forecast.laboratory, POINTS);
-    content.line(
-        &laboratory,
-        marks::LABORATORY,
-        Mark::Ring,
-        "laboratory",
-        laboratory_words(case, unit),
-    );
+    if let Some(laboratory) = forecast.laboratory.both() {
+        let words = laboratory_words(laboratory, unit);
+        let curve = rescaled(laboratory, POINTS);
+        content.line(&curve, marks::LABORATORY, Mark::Ring, "laboratory", words);
+    }
     design(content, case, unit);
 }
 
-fn pair(values: Values, unit: LengthUnit) -> String {
-    format!("{}, {}", force_text(values.force), length_text(values.deflection, unit))
+/// What stands in a chart instead of a curve.
+const STRENGTH_ONLY: &str = "no curve: the laboratory record has no deflection";
+
+fn pair(values: Strength, unit: LengthUnit) -> String {
+    let delta = values.deflection.map(|delta| format!(", {}", length_text(delta, unit)));
+    force_text(values.force) + &delta.unwrap_or_default()
 }
 
-fn laboratory_words(case: &ExportedLayout, unit: LengthUnit) -> String {
+fn laboratory_words(laboratory: Values, unit: LengthUnit) -> String {
     format!(
         "laboratory test, standard panel: {} (only its end point was published; the shape is that of Eq. 3)",
-        at_failure(case.forecast().laboratory, unit)
+        at_failure(laboratory, unit)
     )
 }
 
@@ -374,8 +383,16 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
         match &series.case.forecast().field {
             Ok(field) => {
                 let far = if series.case.forecast().extrapolated() { ", extrapolated" } else { "" };
-                let words = format!("{name}: {}{far}", at_failure(field.values, unit));
-                content.line(&field.curve(POINTS), stroke, mark, &tag, words);
+                match field.end() {
+                    Some(end) => {
+                        let words = format!("{name}: {}{far}", at_failure(end, unit));
+                        content.line(&end.curve(POINTS), stroke, mark, &tag, words);
+                    }
+                    None => {
+                        let force = pair(field.values, unit);
+                        content.words(&tag, format!("{name}: {force}{far}; {STRENGTH_ONLY}"));
+                    }
+                }
             }
             Err(why) => content.words(&tag, format!("{name}: {}", why.sentence())),
         }
@@ -389,10 +406,10 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
     let mut tests = all.iter().map(|s| s.case.forecast().laboratory);
     if let Some(first) = tests.next()
         && tests.all(|other| other == first)
-        && let Some(series) = all.first()
+        && let Some(first) = first.both()
     {
         let curve = rescaled(first, POINTS);
-        let mut words = laboratory_words(series.case, unit);
+        let mut words = laboratory_words(first, unit);
         if most.force > 0.0 && first.force > most.force {
             words.push_str("; it leaves the chart");
         }

@@ -1,8 +1,8 @@
 //! What a check says beside a forecast, read once for every way to show it. Newtons and metres.
 
 use super::{Difference, difference, utilisation};
-use crate::forecast::Values;
 use crate::forecast::design::Question;
+use crate::forecast::{Strength, Values};
 use crate::study::result::CheckResult;
 
 /// The figures of a check; without a first break there are no means.
@@ -26,7 +26,7 @@ impl Figures {
     /// Of a check beside a forecast, where there is one, for a design question.
     pub(crate) fn of(
         result: &CheckResult,
-        forecast: Option<Values>,
+        forecast: Option<Strength>,
         question: &Question,
     ) -> Figures {
         let (force, deflection) = (&result.force, &result.deflection);

@@ -25,7 +25,7 @@ use crate::case::Case;
 use crate::dem::Flow;
 use crate::dem::field::OVERLAP;
 use crate::fingerprint::Fingerprint;
-use crate::forecast::Values;
+use crate::forecast::Strength;
 use crate::forecast::design::Question;
 use crate::problem::{Problem, summary};
 use std::collections::HashMap;
@@ -187,15 +187,15 @@ pub(crate) fn utilisation(question: &Question, force: f64) -> Option<f64> {
 pub(crate) struct Difference {
     /// Of the force at failure.
     pub(crate) force: f64,
-    /// Of the deflection at failure.
-    pub(crate) deflection: f64,
+    /// Of the deflection at failure, where the forecast has one.
+    pub(crate) deflection: Option<f64>,
 }
 
 /// The difference of a check from a forecast; nothing where no run broke.
-pub(crate) fn difference(result: &CheckResult, forecast: Values) -> Option<Difference> {
+pub(crate) fn difference(result: &CheckResult, forecast: Strength) -> Option<Difference> {
     result.broke().then(|| Difference {
         force: result.force.mean / forecast.force - 1.0,
-        deflection: result.deflection.mean / forecast.deflection - 1.0,
+        deflection: forecast.deflection.map(|delta| result.deflection.mean / delta - 1.0),
     })
 }
 

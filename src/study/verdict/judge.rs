@@ -137,6 +137,9 @@ fn open(aspect: Aspect, case: &Case, state: State) -> Checked {
 /// Why a check without a break gives no capacity.
 const NO_BREAK: &str = "no run of the check broke the mesh";
 
+/// Why a forecast from a record of the force alone gives no deflection.
+const STRENGTH_ONLY: &str = "the laboratory record has no deflection";
+
 /// Names of what may be missing.
 const LOAD: &str = "design_force or pressure";
 const ALLOWED: &str = "allowable_deflection";
@@ -177,6 +180,11 @@ pub(super) fn deflection(case: &Case, panel: &Panel) -> Checked {
     let open = open(Aspect::Deflection, case, State::NotJudged(NO_BREAK));
     let open = Checked { capacity: [asked.deflection; 2], ..open };
     let (Some(force), Some(allowed)) = (asked.force, asked.deflection) else { return open };
+    if let Panel::Forecast(field) = panel
+        && field.end().is_none()
+    {
+        return Checked { state: State::NotJudged(STRENGTH_ONLY), ..open };
+    }
     if !panel.breaks() {
         return open;
     }
@@ -308,7 +316,7 @@ impl Panel<'_> {
     fn deflection_at(&self, force: f64) -> Option<f64> {
         match self {
             Panel::Forecast(field) if force >= field.values.force => None,
-            Panel::Forecast(field) => field.deflection_at(force),
+            Panel::Forecast(field) => field.end()?.deflection_at(force),
             Panel::Check(result) => {
                 let failure = result.curve.failure.filter(|end| force < end.force)?;
                 let (mut x, mut y) = (0.0, 0.0);
@@ -326,7 +334,9 @@ impl Panel<'_> {
     /// Force (N) at a deflection (m) on the mean curve, the force at failure beyond it.
     fn force_at(&self, deflection: f64) -> f64 {
         match self {
-            Panel::Forecast(field) => field.force_at(deflection.min(field.values.deflection)),
+            Panel::Forecast(field) => {
+                field.end().map_or(0.0, |end| end.force_at(deflection.min(end.deflection)))
+            }
             Panel::Check(result) => match result.curve.failure {
                 Some(end) if deflection >= end.deflection => end.force,
                 _ => result.curve.force_at(deflection).max(0.0),

@@ -262,7 +262,7 @@ fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &T
     let rows = drawn(app, view);
     let values: Vec<_> = rows
         .iter()
-        .filter_map(|row| Some((*row, view.comparison.rows.get(*row)?.values().ok()?)))
+        .filter_map(|row| Some((*row, view.comparison.rows.get(*row)?.values().ok()?.both()?)))
         .collect();
     let largest = |read: fn(&crate::forecast::Values) -> f64| {
         values.iter().map(|(_, v)| read(v)).fold(0.0, f64::max)

@@ -13,7 +13,8 @@ use crate::show::{say, verdict};
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, percent, shortest, significant, to_kn,
+    LengthUnit, force_text, length_entry, length_text, maybe_length_text, percent, shortest,
+    significant, to_kn,
 };
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
@@ -141,7 +142,7 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
         "forecast F_a {} / gR {on_resistance} = {}, delta_a {}",
         force_text(v.force),
         force_text(a.resistance),
-        m(v.deflection)
+        maybe_length_text(v.deflection, unit)
     );
     lines.push((resistance, theme.forecast));
     let mut words = Vec::new();
@@ -286,7 +287,7 @@ fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
             None => format!(
                 "{}, delta_a {}",
                 force_text(p.values().force),
-                length_text(p.values().deflection, unit)
+                maybe_length_text(p.values().deflection, unit)
             ),
         },
         Err(why) => why.short().into(),

@@ -288,7 +288,7 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
         let (force, delta, used, service) = match &view.points[index] {
             Ok(p) => (
                 significant(to_kn(p.values().force), 3),
-                effect::deflection(p.values().deflection, unit),
+                effect::maybe_deflection(p.values().deflection, unit),
                 p.utilisation().map_or_else(none, percent),
                 p.service_deflection().map_or_else(none, |v| effect::deflection(v, unit)),
             ),
