@@ -10,6 +10,7 @@
 //! - [`axis`]: round ticks for the axes of a chart, on the screen and on paper.
 //! - [`layout`], [`curve`]: the one input and the one output that forecast and check share.
 //! - [`mesh`]: mesh types, their laboratory values and wires, and the catalogue.
+//! - [`method`]: what a campaign of simulations says in place of the paper's relations.
 //! - [`forecast`]: the closed form: laboratory, ratios, field values, eccentricity, master curve.
 //! - [`dem`]: the check: the punch test of a net of nodes and wires, step by step.
 //! - [`case`]: a layout with its mesh and its question, its inputs defined once, and what follows from
@@ -41,6 +42,7 @@ pub mod job;
 pub mod lab;
 pub mod layout;
 pub mod mesh;
+mod method;
 pub mod problem;
 pub mod project;
 pub mod remark;

@@ -3,7 +3,7 @@
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
 //! - [`forecast`], [`check`], [`mesh`], [`new`], [`export`], [`report`]: the subcommands;
 //!   [`interactive`]: none of them; [`lab`]: those of the makers, `bench`, `calibrate`,
-//!   `campaign`, `validate`.
+//!   `campaign`, `derive`, `validate`.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
 //!   forecasts of the first three.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
@@ -100,6 +100,7 @@ enum Command {
     Check(Box<check::CheckArgs>),
     Calibrate(lab::calibrate::CalibrateArgs),
     Campaign(lab::campaign::CampaignArgs),
+    Derive(lab::derive::DeriveArgs),
     Bench(lab::bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(lab::validate::ValidateArgs),
@@ -152,6 +153,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Check(args) => check::run(&args, ui),
         Command::Calibrate(args) => lab::calibrate::run(&args),
         Command::Campaign(args) => lab::campaign::run(&args),
+        Command::Derive(args) => lab::derive::run(&args),
         Command::Bench(args) => lab::bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => lab::validate::run(&args),

@@ -5,6 +5,7 @@
 //!   and cost against size.
 //! - [`arrangements`]: how the answer depends on how the blocks stand.
 //! - [`campaign`]: many single runs of random layouts, from which a method is derived.
+//! - [`derive`]: a method of forecasts made of such runs.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
@@ -13,4 +14,5 @@ pub mod bench;
 pub mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod convergence;
+pub(crate) mod derive;
 pub(crate) mod paper;

@@ -6,7 +6,7 @@
 //! - [`mod@write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
 //! - [`mod@difference`]: what differs between two projects.
 //! - `kept`: the result of a check as the file holds it.
-//! - [`wire_file`]: net and wires in a file of their own.
+//! - [`wire_file`]: net and wires in a file of their own; [`method_file`]: a derived method.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
 //! - [`mod@claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
@@ -25,6 +25,7 @@ mod hold;
 pub(crate) mod home;
 mod kept;
 mod load;
+mod method_file;
 mod migrate;
 mod patch;
 mod read;
@@ -46,6 +47,7 @@ pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;
 pub use home::Home;
+pub(crate) use method_file::method_text;
 pub use recovery::{OwnRecovery, Recovery};
 pub use save::{Overwrite, SaveError, create};
 pub(crate) use save::{SaveReport, same_file, sweep_beside, write_file};

@@ -109,7 +109,7 @@ impl Spread {
 }
 
 /// Quantile of unsorted values by linear interpolation; 0 without values.
-fn quantile(values: &[f64], part: f64) -> f64 {
+pub(crate) fn quantile(values: &[f64], part: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let Some(last) = sorted.len().checked_sub(1) else { return 0.0 };

@@ -101,3 +101,28 @@ fn a_campaign_is_neither_overwritten_nor_mixed_with_another() {
     let ran = run(&["campaign", "--runs", "1", "--resume", "--out", out]);
     assert!(ran.code == 2 && ran.err.contains("line 1"), "{}", ran.err);
 }
+
+#[test]
+fn a_method_is_derived_from_a_small_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (runs, method) = (place("runs"), place("method.ron"));
+    good(&["campaign", "--runs", "60", "--eccentric", "0.3", "--seed", "1", "--out", &runs]);
+    let said = good(&["derive", &runs, "--out", &method]);
+    for part in
+        ["60 asked", "alpha_F", "published 1.312", "lower of two", "plate", "with an offset"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let text = fs::read_to_string(&method).unwrap();
+    assert!(text.starts_with("// A method of forecasts"), "{text}");
+    // Of one mesh the ratio cannot be far from that of its other runs.
+    let alpha: f64 =
+        said.split("alpha_F").nth(1).unwrap().split_whitespace().next().unwrap().parse().unwrap();
+    assert!((0.3..0.5).contains(&alpha), "{alpha}");
+    // Neither overwritten nor made of runs that are counted twice.
+    assert_eq!(run(&["derive", &runs, "--out", &method]).code, 2);
+    let twice = run(&["derive", &runs, &runs]);
+    assert!(twice.code == 2 && twice.err.contains("seed 1"), "{}", twice.err);
+    assert!(run(&["derive", &place("nothing")]).err.contains("cannot be read"));
+}

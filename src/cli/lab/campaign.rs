@@ -23,11 +23,11 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 const AFTER_HELP: &str = "\
-d, L and D are uniform in the paper's ranges (0.16 to 0.48, 1.25 to 4.5, 0.1 to 2.5 m). An eccentric
-run is the run before it, same alignment and slack, with an offset uniform in the cell. A tenth as many
-runs of the standard laboratory test and of the reference panel come first. Runs that slipped or
-diverged and layouts that cannot be run (block on a plate, mirrored blocks that overlap) stay in the
-file with their reason. The file is the same for any number of threads and however often it was resumed.";
+d, L and D are uniform in the paper's ranges (0.16 to 0.48, 1.25 to 4.5, 0.1 to 2.5 m). Offsets are
+uniform in the cell. A tenth as many runs of the standard laboratory test and of the reference panel
+come first. Runs that slipped or diverged and layouts that cannot be run (block on a plate, mirrored
+blocks that overlap) stay in the file with their reason. The file is the same for any number of threads
+and however often it was resumed.";
 
 /// Run many random layouts, to derive a method from.
 #[derive(Debug, Args)]
@@ -45,7 +45,7 @@ pub(crate) struct CampaignArgs {
     /// Runs of random layouts.
     #[arg(long, value_name = "N", default_value_t = 320, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     runs: u32,
-    /// Share of them with an offset, 0 to 0.5.
+    /// Share of them with an offset, 0 to 0.9.
     #[arg(long, value_name = "PART", default_value_t = 0.5, value_parser = quantity::number, allow_hyphen_values = true)]
     eccentric: f64,
     /// Takes d, L and D from ranges that are wider by this part: from min/(1 + PART) to max (1 + PART).
@@ -121,8 +121,8 @@ pub(crate) fn run(args: &CampaignArgs) -> CommandEnd {
 const EXPECTED_BREAK: f64 = 0.6;
 
 fn plan(args: &CampaignArgs) -> Result<CampaignPlan, Fault> {
-    if !(0.0..=0.5).contains(&args.eccentric) {
-        return Err(Fault::input("--eccentric: a share from 0 to 0.5"));
+    if !(0.0..=0.9).contains(&args.eccentric) {
+        return Err(Fault::input("--eccentric: a share from 0 to 0.9"));
     }
     if !(0.0..=WIDEST).contains(&args.widen) {
         return Err(Fault::input("--widen: a part from 0 to 1"));

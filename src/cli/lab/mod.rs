@@ -1,6 +1,7 @@
-//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`validate`].
+//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`validate`].
 
 pub(crate) mod bench;
 pub(crate) mod calibrate;
 pub(crate) mod campaign;
+pub(crate) mod derive;
 pub(crate) mod validate;

@@ -4,10 +4,10 @@ use super::Sample;
 use crate::curve::Curve;
 use crate::dem::lattice::Role;
 use crate::dem::{RunOutcome, Stop};
-use crate::layout::Blocks;
+use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::problem::{Problem, summary};
 use crate::study::result::rounded;
-use crate::units::to_kn;
+use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
 
 /// Points of a normalised curve, from 0 to the first break, both ends included.
@@ -23,7 +23,7 @@ pub(crate) enum Kind {
     Reference,
     /// A random layout, centred.
     Centred,
-    /// The layout of the run before with an offset.
+    /// A random layout with an offset.
     Eccentric,
 }
 
@@ -120,7 +120,12 @@ pub(crate) struct Row {
 
 impl Row {
     /// A row without a run.
-    pub(super) fn without(run: usize, sample: &Sample, end: RowEnd, why: Option<String>) -> Row {
+    pub(in crate::lab) fn without(
+        run: usize,
+        sample: &Sample,
+        end: RowEnd,
+        why: Option<String>,
+    ) -> Row {
         let l = &sample.layout;
         Row {
             run,
@@ -186,6 +191,26 @@ impl Row {
             y_m: rounded(b.place[1]),
         });
         row
+    }
+}
+
+impl Row {
+    /// Its layout, with the blocks of its campaign.
+    pub(crate) fn layout(&self, blocks: Blocks) -> Layout {
+        Layout {
+            plate: self.d_m,
+            spacing: self.l_m,
+            punch: self.punch_m,
+            ex: self.ex_m,
+            ey: self.ey_m,
+            blocks,
+            ..REFERENCE
+        }
+    }
+
+    /// Force, N, and deflection, m, at the first break.
+    pub(crate) fn values(&self) -> Option<[f64; 2]> {
+        Some([from_kn(self.force_kn?), self.delta_m?])
     }
 }
 
