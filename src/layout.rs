@@ -47,6 +47,16 @@ pub enum Twists {
     Across,
 }
 
+impl Twists {
+    /// The other way.
+    pub(crate) fn other(self) -> Twists {
+        match self {
+            Twists::Down => Twists::Across,
+            Twists::Across => Twists::Down,
+        }
+    }
+}
+
 impl Choice for Twists {
     const ALL: &'static [Twists] = &[Twists::Down, Twists::Across];
 
@@ -54,6 +64,31 @@ impl Choice for Twists {
         match self {
             Twists::Down => "down",
             Twists::Across => "across",
+        }
+    }
+}
+
+/// What a block looks like to the net.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PunchShape {
+    /// The laboratory's dome: a flat cap with a rounded rim.
+    #[default]
+    Dome,
+    /// A sphere.
+    Sphere,
+    /// Flat but for its rounded rim.
+    Flat,
+}
+
+impl Choice for PunchShape {
+    const ALL: &'static [PunchShape] = &[PunchShape::Dome, PunchShape::Sphere, PunchShape::Flat];
+
+    fn word(self) -> &'static str {
+        match self {
+            PunchShape::Dome => "dome",
+            PunchShape::Sphere => "sphere",
+            PunchShape::Flat => "flat",
         }
     }
 }
@@ -96,6 +131,8 @@ pub struct Layout {
     pub blocks: Blocks,
     /// What the grid has besides the spacing.
     pub grid: Grid,
+    /// What the punch looks like; the check's alone, published relations know the dome only.
+    pub shape: PunchShape,
 }
 
 /// The layout at which the published reference values hold: d* = 0.32 m, L* = 3 m, D* = 1 m,
@@ -108,6 +145,7 @@ pub const REFERENCE: Layout = Layout {
     ey: 0.0,
     blocks: Blocks::Paper,
     grid: Grid::SQUARE,
+    shape: PunchShape::Dome,
 };
 
 /// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.

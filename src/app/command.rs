@@ -1,8 +1,10 @@
 //! The `:` line. Its forms stand in [`super::keymap::COMMANDS`], from which the help is made.
 
 use super::App;
+use super::editor::GridKind;
 use super::look::{ColorMode, Glyphs};
 use super::message::Command;
+use crate::layout::{PunchShape, Twists};
 use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
 use crate::words::Choice;
@@ -53,6 +55,23 @@ impl App {
                 self.inform(said);
             }
             "mesh" => self.editor.set_mesh(rest)?,
+            "grid" => {
+                let kind = GridKind::from_word(rest)
+                    .ok_or("grid square, grid rectangular or grid staggered")?;
+                let said = self.editor.set_grid(kind);
+                self.inform(said);
+            }
+            "twists" => {
+                let twists = Twists::from_word(rest).ok_or("twists down or twists across")?;
+                let said = self.editor.set_twists(twists);
+                self.inform(said);
+            }
+            "shape" => {
+                let shape =
+                    PunchShape::from_word(rest).ok_or("shape dome, shape sphere or shape flat")?;
+                let said = self.editor.set_shape(shape);
+                self.inform(said);
+            }
             "units" => match rest {
                 "m" => self.editor.set_units(LengthUnit::Metre),
                 "mm" => self.editor.set_units(LengthUnit::Millimetre),

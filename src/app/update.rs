@@ -212,6 +212,14 @@ impl App {
                 let said = self.editor.turn_blocks();
                 self.inform(said);
             }
+            Action::Grid => {
+                let said = self.editor.turn_grid();
+                self.inform(said);
+            }
+            Action::Twists => {
+                let said = self.editor.set_twists(self.layout().layout.grid.twists.other());
+                self.inform(said);
+            }
             Action::Units => self.editor.set_units(self.units().other()),
             Action::Basis => {
                 let said = self.editor.set_basis(self.project().basis.other());

@@ -9,6 +9,7 @@
 pub(crate) mod entry;
 pub(crate) mod input;
 mod range;
+mod table;
 
 pub use crate::forecast::design::Question;
 pub(crate) use entry::{StepSize, input_unit, input_value};

@@ -4,8 +4,10 @@ use super::UiFlags;
 use super::choice::one_of;
 use super::input_flags::InputFlags;
 use super::output::Fault;
+use super::quantity;
+use crate::case::input::LX;
 use crate::case::{Case, Input};
-use crate::layout::{Blocks, BranchRule, REFERENCE};
+use crate::layout::{Blocks, BranchRule, PunchShape, REFERENCE, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
@@ -88,6 +90,18 @@ impl Source {
 pub(crate) struct Geometry {
     #[command(flatten)]
     values: InputFlags<false>,
+    /// Anchor spacing across the slope, Lx, of a grid with two; not beside -L.
+    #[arg(long = "Lx", value_name = "M", allow_hyphen_values = true, value_parser = spacing_across)]
+    spacing_across: Option<f64>,
+    /// Every other row of anchors is shifted by half the spacing in it (false: none is).
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    stagger: Option<bool>,
+    /// How the net hangs: its twists down the slope or across it.
+    #[arg(long, value_name = "WAY", value_parser = one_of(Twists::ALL))]
+    twists: Option<Twists>,
+    /// Shape of the block in the check; forecasts know the dome alone.
+    #[arg(long, value_name = "SHAPE", value_parser = one_of(PunchShape::ALL))]
+    shape: Option<PunchShape>,
     /// How the blocks of other cells stand: as the paper had it, or (worst) the lower of repeated and mirrored; single: there are none.
     #[arg(long, value_name = "BLOCKS", value_parser = one_of(Blocks::ALL))]
     blocks: Option<Blocks>,
@@ -108,6 +122,42 @@ pub(crate) struct Inputs {
     #[command(flatten)]
     question: InputFlags<true>,
 }
+
+/// A value of `--Lx`.
+fn spacing_across(text: &str) -> Result<f64, String> {
+    quantity::of_input(Input::Spacing, text)
+}
+
+impl Geometry {
+    /// Makes room for the spacings that are given: one takes the second away, and two are never one.
+    fn one_or_two(&self, entry: &mut NamedLayout) -> Result<(), Vec<Problem>> {
+        let has = |input| self.values.given().any(|(given, _)| given == input);
+        let (one, up) = (has(Input::Spacing), has(Input::SpacingUp));
+        let across = self.spacing_across;
+        if one && (up || across.is_some()) {
+            let other = if up { Input::SpacingUp.row().flag } else { LX_FLAG };
+            return Err(vec![
+                Problem::new(other, "a grid has one spacing or two, never both")
+                    .allowed("-L, or --Lx and --Ly"),
+            ]);
+        }
+        if one {
+            entry.set(Input::SpacingUp, None);
+        }
+        let Some(across) = across else { return Ok(()) };
+        if !up && entry.layout.grid.up.is_none() {
+            return Err(vec![
+                Problem::new(LX_FLAG, "the spacing up the slope is missing")
+                    .advice("give --Ly as well, or -L for both"),
+            ]);
+        }
+        entry.set(Input::Spacing, Some(across));
+        Ok(())
+    }
+}
+
+/// The flag of the spacing where there are two.
+const LX_FLAG: &str = "--Lx";
 
 impl From<Geometry> for Inputs {
     fn from(geometry: Geometry) -> Self {
@@ -180,9 +230,14 @@ impl Inputs {
         for other in given().filter_map(|(input, _)| input.instead_of()) {
             entry.set(other, None);
         }
+        self.geometry.one_or_two(&mut entry).map_err(Fault::from)?;
         for (input, value) in given() {
             entry.set(input, Some(value));
         }
+        let grid = &mut entry.layout.grid;
+        grid.stagger = self.geometry.stagger.unwrap_or(grid.stagger);
+        grid.twists = self.geometry.twists.unwrap_or(grid.twists);
+        entry.layout.shape = self.geometry.shape.unwrap_or(entry.layout.shape);
         entry.layout.blocks = self.geometry.blocks.unwrap_or(entry.layout.blocks);
         entry.branch = self.branch.unwrap_or(entry.branch);
         if let Some(id) = &self.geometry.mesh {
@@ -212,8 +267,10 @@ impl Inputs {
             return if problem.field.starts_with('-') { problem } else { under(problem) };
         };
         let mut given = self.geometry.values.given().chain(self.question.given());
-        let flag = input.row().flag;
-        if given.any(|(given, _)| given == input) {
+        let across = problem.field == LX;
+        let flag = if across { LX_FLAG } else { input.row().flag };
+        let own = across && self.geometry.spacing_across.is_some();
+        if own || given.any(|(given, _)| given == input) {
             problem.field = flag.to_string();
             return problem;
         }

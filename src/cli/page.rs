@@ -8,8 +8,8 @@ use super::output::wrapped;
 use crate::case::Case;
 use crate::fingerprint::Fingerprint;
 use crate::forecast::design::{Answer, Question};
-use crate::layout::{Blocks, Layout};
-use crate::show::verdict;
+use crate::layout::{Blocks, Layout, PunchShape};
+use crate::show::{say, verdict};
 use crate::study::verdict::Verdict;
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, maybe_length_text, shortest, significant,
@@ -19,12 +19,14 @@ use crate::words::Choice;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// What stands with every answer: what the method is a forecast of.
-pub(crate) const BASIS: &str = "lowest of the arrangements computed: a block in every cell (not one block on a large mesh); anchors on a square grid, net hung with its twists down the slope";
+pub(crate) const BASIS: &str = "lowest of the arrangements computed: a block in every cell (not one block on a large mesh); published relations are for anchors on a square grid";
 
-/// The blocks of a layout behind its other inputs, where they are not the paper's.
+/// Shape and blocks of a layout behind its other inputs, where they are not the paper's.
 pub(crate) fn blocks_said(layout: &Layout) -> String {
-    let blocks = layout.blocks;
-    if blocks == Blocks::Paper { String::new() } else { format!(", blocks {}", blocks.word()) }
+    let (blocks, shape) = (layout.blocks, layout.shape);
+    let of = |said: bool, words: String| if said { words } else { String::new() };
+    of(shape != PunchShape::default(), format!(", {}", shape.word()))
+        + &of(blocks != Blocks::Paper, format!(", blocks {}", blocks.word()))
 }
 
 /// Widest line, columns.
@@ -84,9 +86,9 @@ impl Page {
         }
         let l = &case.layout;
         let text = format!(
-            "d {}, L {}, D {}, ex {}, ey {}{}",
+            "d {}, {}, D {}, ex {}, ey {}{}",
             self.entry(l.plate),
-            self.entry(l.spacing),
+            say::grid(l, self.unit),
             self.entry(l.punch),
             self.entry(l.ex),
             self.entry(l.ey),

@@ -1,10 +1,22 @@
 //! The punch: a dome that rises into the net, frictionless, with penalty contact.
 //!
 //! Spherical cap of base diameter D and sphere radius 1.2 D, rim rounded by a torus of tube radius
-//! 0.05 D tangent to the cap and vertical at r = D/2, where an upright cylinder goes on downwards.
+//! 0.05 D tangent to the cap and vertical at r = D/2, where an upright cylinder goes on downwards. Other
+//! shapes are the same with another cap: half a sphere of diameter D, and a cap so flat that its middle
+//! stands 0.005 D above its rim.
 
-/// Radius of the cap's sphere over D (the published dome of the 1 m punch).
-pub(crate) const CAP: f64 = 1.2;
+use crate::layout::PunchShape;
+
+/// Radius of the cap's sphere over D; that of the dome is the published one of the 1 m punch.
+pub(crate) fn cap(shape: PunchShape) -> f64 {
+    match shape {
+        PunchShape::Dome => 1.2,
+        PunchShape::Sphere => 0.5,
+        PunchShape::Flat => 20.0,
+    }
+}
+/// Least height of the cap's centre under the seam over D: half a sphere has none, and quotients stay finite.
+const LEAST_HEIGHT: f64 = 1.0e-6;
 /// Tube radius of the rim over D (an assumption: 50 mm for the 1 m punch).
 pub(crate) const RIM: f64 = 0.05;
 /// Normal contact stiffness of punch and node, N/m (Pol & Gabrieli 2021, section 2).
@@ -34,12 +46,13 @@ pub struct Dome {
 }
 
 impl Dome {
-    /// The dome of diameter `diameter` against nodes of radius `node` (both m).
-    pub(crate) fn new(diameter: f64, node: f64) -> Dome {
-        let (cap, rim) = (CAP * diameter, RIM * diameter);
+    /// The punch of diameter `diameter` against nodes of radius `node` (both m).
+    pub(crate) fn new(shape: PunchShape, diameter: f64, node: f64) -> Dome {
+        let (cap, rim) = (cap(shape) * diameter, RIM * diameter);
         let ring = diameter / 2.0 - rim;
         // The rim touches the cap from inside: its centre circle lies on a sphere of radius cap - rim.
-        let height = ((cap - rim) * (cap - rim) - ring * ring).sqrt();
+        let height = ((cap - rim) * (cap - rim) - ring * ring).max(0.0).sqrt();
+        let height = height.max(LEAST_HEIGHT * diameter);
         Dome {
             diameter,
             cap,
@@ -95,15 +108,34 @@ mod tests {
 
     #[test]
     fn the_seam_of_the_metre_dome_stands_where_published() {
-        let d = Dome::new(1.0, 0.0108);
+        let d = Dome::new(PunchShape::Dome, 1.0, 0.0108);
         // Tangent point of cap and rim: r = 0.4696 D, as the YADE scenes have it.
         let r = d.cap * d.seam / (1.0 + d.seam * d.seam).sqrt();
         assert!((r - 0.4696).abs() < 5e-5, "{r}");
     }
 
     #[test]
+    fn a_sphere_and_a_flat_punch_are_met_where_worked_by_hand() {
+        let sphere = Dome::new(PunchShape::Sphere, 1.0, 0.0108);
+        // On the sphere of radius 0.5 about a point 0.5 m below the apex, up to just above its equator; then
+        // beside an upright cylinder.
+        for angle in [0.0f64, 0.7, 1.5, 1.57] {
+            let out = sphere.cap + sphere.node;
+            let place = [0.0, out * angle.sin(), sphere.apex(0.2) - 0.5 + out * angle.cos()];
+            assert!(sphere.depth(place, 0.2).0.abs() < 1e-5, "{angle}");
+        }
+        let (depth, normal) = sphere.depth([0.505, 0.0, -0.6], 0.0);
+        assert!((depth - 0.0058).abs() < 1e-6 && normal[0] > 0.999_999);
+        // 20 - sqrt(400 - 0.2025) = 0.0051 m lower where the rim begins, at most.
+        let flat = Dome::new(PunchShape::Flat, 1.0, 0.0108);
+        let at = |r: f64| flat.depth([r, 0.0, flat.apex(0.0) + flat.node], 0.0).0;
+        assert!(at(0.0).abs() < 1e-12 && at(0.44) > -0.0052 && at(0.44) < -0.0045, "{}", at(0.44));
+        assert!(at(0.5) < -0.02, "the rim is round");
+    }
+
+    #[test]
     fn depth_is_zero_on_the_surface_and_continuous_over_the_seam() {
-        let d = Dome::new(1.0, 0.0108);
+        let d = Dome::new(PunchShape::Dome, 1.0, 0.0108);
         assert!(d.depth([0.0, 0.0, 0.0], 0.0).0.abs() < 1e-15);
         assert!((d.depth([0.0, 0.0, 0.0], 0.01).0 - 0.01).abs() < 1e-15);
         let seam = d.seam.atan();

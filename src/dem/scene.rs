@@ -122,7 +122,7 @@ impl Scene {
                     .allowed("at least about one opening of the mesh"),
             ]);
         }
-        let dome = Dome::new(layout.punch, net.node_radius);
+        let dome = Dome::new(layout.shape, layout.punch, net.node_radius);
         Ok(Scene { spec: spec.clone(), lattice, law: Law::new(&spec.wire), dome, field, fixed })
     }
 

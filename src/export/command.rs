@@ -3,7 +3,7 @@
 use super::ExportedLayout;
 use crate::case::Input;
 use crate::case::input::Missing;
-use crate::layout::{Blocks, BranchRule};
+use crate::layout::{Blocks, BranchRule, PunchShape, Twists};
 use crate::mesh::catalogue;
 use crate::units::{Quantity, from_kn, shortest, to_kn};
 use crate::words::Choice;
@@ -28,10 +28,24 @@ pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
     }
     let case = &case.case;
     let given = |inputs: &[Input]| -> Vec<String> {
-        inputs.iter().filter_map(|input| flag(*input, case.get(*input)?)).collect()
+        let text = |input: Input| {
+            let text = flag(input, case.get(input)?)?;
+            let two = input == Input::Spacing && case.layout.grid.up.is_some();
+            Some(if two { text.replacen("-L", "--Lx", 1) } else { text })
+        };
+        inputs.iter().filter_map(|input| text(*input)).collect()
     };
     let mut words = vec!["meshcast forecast".to_string()];
     words.extend(given(&Input::GEOMETRY));
+    if case.layout.grid.stagger {
+        words.push("--stagger".to_string());
+    }
+    if case.layout.grid.twists != Twists::default() {
+        words.push(format!("--twists {}", case.layout.grid.twists.word()));
+    }
+    if case.layout.shape != PunchShape::default() {
+        words.push(format!("--shape {}", case.layout.shape.word()));
+    }
     if case.layout.blocks != Blocks::default() {
         words.push(format!("--blocks {}", case.layout.blocks.word()));
     }

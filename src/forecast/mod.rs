@@ -359,7 +359,8 @@ fn field_warnings(
     }
     // Blocks of other cells change no forecast, nor does how the net hangs under a centred one.
     let point = layout::REFERENCE;
-    if (Layout { grid: point.grid, blocks: point.blocks, ..*layout }) == point {
+    let same = Layout { grid: point.grid, blocks: point.blocks, shape: point.shape, ..*layout };
+    if same == point {
         warnings.push(Warning::ReferencePoint {
             force: field.values.force,
             deflection: field.values.deflection,

@@ -7,7 +7,7 @@ use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, Tit
 use super::text::{Node, NodeKind, Shape};
 use super::{read, words};
 use crate::case::Input;
-use crate::layout::{Blocks, BranchRule, Layout, REFERENCE};
+use crate::layout::{Blocks, BranchRule, Grid, Layout, PunchShape, REFERENCE, Twists};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::verdict::Basis;
@@ -27,9 +27,14 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "name",
     "d",
     "L",
+    "Lx",
+    "Ly",
+    "stagger",
+    "twists",
     "D",
     "ex",
     "ey",
+    "shape",
     "blocks",
     "mesh",
     "branch",
@@ -74,10 +79,17 @@ struct LayoutFile {
     d: Soft<Length>,
     #[serde(rename = "L")]
     spacing: Soft<Length>,
+    #[serde(rename = "Lx")]
+    spacing_x: Soft<Length>,
+    #[serde(rename = "Ly")]
+    spacing_y: Soft<Length>,
+    stagger: Soft<bool>,
+    twists: Soft<Twists>,
     #[serde(rename = "D")]
     punch: Soft<Length>,
     ex: Soft<Length>,
     ey: Soft<Length>,
+    shape: Soft<PunchShape>,
     blocks: Soft<Blocks>,
     mesh: Soft<String>,
     branch: Soft<BranchRule>,
@@ -215,7 +227,24 @@ impl LayoutFile {
             None => {}
         }
         let mesh = self.mesh.get()?.unwrap_or_else(|| default_mesh.to_string());
-        let geometry = Layout { blocks: self.blocks.get()?.unwrap_or_default(), ..REFERENCE };
+        let one = self.spacing.get()?.map(|v| v.0);
+        let two = [self.spacing_x.get()?, self.spacing_y.get()?].map(|v| v.map(|v| v.0));
+        let (spacing, up) = match (one, two) {
+            (Some(side), [None, None]) => (side, None),
+            (None, [Some(x), Some(y)]) => (x, Some(y)),
+            (one, two) => {
+                problems.push(words::spacings(one.is_some(), two.map(|v| v.is_some())).under(path));
+                return Err(Refused);
+            }
+        };
+        let grid = Grid {
+            up,
+            stagger: self.stagger.get()?.unwrap_or(false),
+            twists: self.twists.get()?.unwrap_or_default(),
+        };
+        let blocks = self.blocks.get()?.unwrap_or_default();
+        let shape = self.shape.get()?.unwrap_or_default();
+        let geometry = Layout { blocks, grid, shape, ..REFERENCE };
         let mut layout = NamedLayout {
             branch: self.branch.get()?.unwrap_or_default(),
             overlay: self.overlay.get()?.unwrap_or(false),
@@ -225,7 +254,7 @@ impl LayoutFile {
         };
         for (input, value) in [
             (Input::Plate, Some(self.d.needed()?.0)),
-            (Input::Spacing, Some(self.spacing.needed()?.0)),
+            (Input::Spacing, Some(spacing)),
             (Input::Punch, Some(self.punch.needed()?.0)),
             (Input::OffsetX, self.ex.get()?.map(|v| v.0)),
             (Input::OffsetY, self.ey.get()?.map(|v| v.0)),

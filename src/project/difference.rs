@@ -59,21 +59,23 @@ fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<
     // Sizes and the question are the inputs.
     let NamedLayout { uid: _, name, layout, mesh, branch, question: _, overlay, note, check } =
         from;
-    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks, grid } = layout;
+    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks, grid, shape } = layout;
     // The second spacing is an input.
     let Grid { up: _, stagger, twists } = grid;
+    let place = &to.layout;
     let changed = Input::LAYOUT.into_iter().filter(|input| from.get(*input) != to.get(*input));
     let inputs = changed.map(|input| {
         let text = |value: Option<f64>| {
             value.map_or("none".to_owned(), |value| input.entry_text(value, unit))
         };
         let (before, after) = (text(from.get(input)), text(to.get(input)));
-        let change = format!("{} {before} to {after} {}", input.word(), input.unit(unit));
+        let change = format!("{} {before} to {after} {}", input.word_in(place), input.unit(unit));
         change.trim_end().to_owned()
     });
     let fields = words([
         (*name != to.name, "name"),
         (*blocks != to.layout.blocks, "blocks"),
+        (*shape != to.layout.shape, "shape"),
         (*stagger != to.layout.grid.stagger, "stagger"),
         (*twists != to.layout.grid.twists, "twists"),
         (*mesh != to.mesh, "mesh"),

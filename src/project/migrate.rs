@@ -18,6 +18,7 @@
 //!       use the newer meshcast; the file is left as it is
 //!   ```
 
+use super::decode::LAYOUT_FIELDS;
 use super::error::Found;
 use super::patch::Edit;
 use super::schema::CURRENT_VERSION;
@@ -56,7 +57,7 @@ pub(crate) fn in_old_words(mut problem: Problem, version: u32) -> Problem {
         problem.advice = problem.advice.replace(&format!("add {now}:"), &format!("add {was}:"));
         problem.field = format!("{layout}].{was}");
     }
-    if problem.allowed.starts_with("name, d, L, D") {
+    if problem.allowed == LAYOUT_FIELDS.join(", ") {
         problem.advice = "format version 0 has plate, spacing, punch, force for d, L, D, \
                           design_force"
             .to_string();

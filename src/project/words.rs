@@ -71,8 +71,7 @@ pub(crate) fn closest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
 }
 
 /// Names that a later version of the program has a field for, each with the struct it stands in.
-pub(crate) const RESERVED: &[(&str, &[&str])] =
-    &[("Project", &["factors"]), ("Layout", &["Lx", "Ly", "stagger", "twists"])];
+pub(crate) const RESERVED: &[(&str, &[&str])] = &[("Project", &["factors"])];
 
 /// Fields that cannot be left out, by the name of their struct.
 pub(crate) fn needed(holder: &str) -> &'static [&'static str] {
@@ -89,6 +88,29 @@ pub(crate) fn needed(holder: &str) -> &'static [&'static str] {
         "Distortion" => &["lambda_u", "lambda_f", "slack"],
         _ => &[],
     }
+}
+
+/// Fields one of which can be left out where the others stand: a grid has one spacing or two.
+pub(crate) fn stands_for(holder: &str, field: &str) -> &'static [&'static str] {
+    match (holder, field) {
+        ("Layout", "L") => &["Lx", "Ly"],
+        _ => &[],
+    }
+}
+
+/// What is wrong with spacings of which some are given: a grid has one or two.
+pub(crate) fn spacings(one: bool, two: [bool; 2]) -> Problem {
+    let field = match (one, two) {
+        (true, [true, _]) => "Lx",
+        (true, _) => "Ly",
+        (false, [true, _]) => "Ly",
+        _ => "Lx",
+    };
+    if one {
+        return Problem::new(field, "a layout has one spacing or two, never both")
+            .allowed("L, or Lx and Ly");
+    }
+    Problem::new(field, "the other spacing is missing").allowed("L, or Lx and Ly")
 }
 
 /// A field that is not known at its place: one of a later version, or a slip.
@@ -165,6 +187,9 @@ pub(crate) fn example(field: &str) -> &'static str {
     match field {
         "version" => "2",
         "blocks" => "worst",
+        "shape" => "dome",
+        "stagger" => "true",
+        "twists" => "down",
         "layouts" => "[]",
         "id" => "\"my-mesh\"",
         "force" => "73.3",

@@ -5,8 +5,8 @@ use super::kept;
 use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
 use crate::case::Input;
-use crate::case::input::Missing;
-use crate::layout::{Blocks, BranchRule};
+use crate::case::input::{LX, Missing};
+use crate::layout::{Blocks, BranchRule, PunchShape, Twists};
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use crate::words::Choice;
 use std::fmt::Write;
@@ -92,13 +92,16 @@ const BASIS_HELP: &str =
     // For the head of a report these may stand here too: client, author, checker, revision, date.
 ";
 
-const LAYOUT_HELP: &str = "    // One entry a layout; anchors on a square grid, the net hung with its twists down the slope.
+const LAYOUT_HELP: &str = "    // One entry a layout.
     //   name    unique
     //   d       side of the anchor plate, published range 0.16 to 0.48 m
-    //   L       anchor spacing, published range 1.25 to 4.5 m
+    //   L       anchor spacing, published range 1.25 to 4.5 m; or Lx and Ly, across and up the slope
     //   D       diameter of the punching block, published range 0.1 to 2.5 m
     // These may be left out:
-    //   ex, ey  offset of the block across and along the twists, -L/2 to L/2, default 0 m
+    //   ex, ey  offset of the block across and up the slope, -L/2 to L/2, default 0 m
+    //   stagger true shifts every other row of anchors by half the spacing in it
+    //   twists  down (default) the slope or across it
+    //   shape   of the block in the check: dome (default), sphere, flat
     //   blocks  how those of other cells stand: paper (default), repeated, mirrored, single, worst
     //   mesh    identifier, default the first of `meshes`
     //   branch  published (default) or conservative
@@ -217,6 +220,10 @@ pub(crate) fn layout_field(
     field: &str,
     default_mesh: &str,
 ) -> Result<Option<String>, Unwritable> {
+    let two = l.layout.grid.up.is_some();
+    if (field == LX && !two) || (field == Input::Spacing.row().name && two) {
+        return Ok(None);
+    }
     if let Some(input) = Input::named(field) {
         let value = l.get(input).filter(|v| input.row().missing != Missing::Means(*v));
         return Ok(value.map(|v| number(v, input.row().quantity)));
@@ -227,6 +234,15 @@ pub(crate) fn layout_field(
         "blocks" => {
             let blocks = l.layout.blocks;
             (blocks != Blocks::default()).then(|| blocks.word().to_string())
+        }
+        "shape" => {
+            let shape = l.layout.shape;
+            (shape != PunchShape::default()).then(|| shape.word().to_string())
+        }
+        "stagger" => l.layout.grid.stagger.then(|| "true".to_string()),
+        "twists" => {
+            let twists = l.layout.grid.twists;
+            (twists != Twists::default()).then(|| twists.word().to_string())
         }
         "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
         "overlay" => l.overlay.then(|| "true".to_string()),

@@ -119,6 +119,8 @@ pub(crate) fn table<'a>() -> Table<'a, LayoutParts<'a>> {
         .with("layout", |l| l.row.name.to_string().into())
         .with("mesh", |l| l.row.mesh.to_string().into());
     let table = with_inputs(table, &Input::GEOMETRY)
+        .with("stagger", |l| l.row.layout.grid.stagger.into())
+        .with("twists", |l| l.row.layout.grid.twists.word().into())
         .part(FORECAST, |l| l.forecast)
         .part(RELATION, |l| l.field.as_ref())
         .part([force, deflection], |l| Some(&l.point))

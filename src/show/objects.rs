@@ -9,7 +9,7 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::Strength;
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
-use crate::layout::Blocks;
+use crate::layout::{Blocks, PunchShape, Twists};
 use crate::remark::Weight;
 use crate::study::checks::change::CheckChange;
 use crate::study::result::{CheckResult, Wanted};
@@ -28,10 +28,17 @@ pub(crate) fn head(name: Option<&str>, fingerprint: Fingerprint, inputs: Object)
 
 /// The inputs of a case.
 pub(crate) fn inputs(case: &Case) -> Object {
+    let layout = &case.layout;
     let sizes = Input::GEOMETRY
         .iter()
+        .filter(|input| input.stands_in(layout))
         .fold(Object::new(), |object, input| object.with(input.column(), input.value(case)));
-    let blocks = case.layout.blocks;
+    let grid = &layout.grid;
+    let sizes = sizes
+        .maybe("stagger", grid.stagger.then_some(true))
+        .maybe("twists", (grid.twists != Twists::default()).then(|| grid.twists.word()));
+    let (blocks, shape) = (layout.blocks, layout.shape);
+    let sizes = sizes.maybe("shape", (shape != PunchShape::default()).then(|| shape.word()));
     let sizes = sizes.maybe("blocks", (blocks != Blocks::default()).then(|| blocks.word()));
     sizes.with("mesh", case.mesh.id.clone()).with("branch", case.rule.word())
 }

@@ -2,11 +2,38 @@
 
 use crate::case::CasePoint;
 use crate::forecast::Strength;
+use crate::layout::{Layout, Twists};
 use crate::study::checks::Difference;
 use crate::study::checks::figures::Figures;
 use crate::units::{
-    LengthUnit, force_text, length_text, maybe_length_text, percent, significant, to_kn,
+    LengthUnit, force_text, length_entry, length_text, maybe_length_text, percent, significant,
+    to_kn,
 };
+use crate::words::Choice;
+
+/// The grid of a layout: `L 3.00 m`, `Lx 2.50 m, Ly 3.50 m, staggered, twists across`.
+pub(crate) fn grid(layout: &Layout, unit: LengthUnit) -> String {
+    let text = |metres: f64| format!("{} {}", length_entry(metres, unit), unit.symbol());
+    let grid = &layout.grid;
+    let mut said = match grid.up {
+        None => format!("L {}", text(layout.spacing)),
+        Some(up) => format!("Lx {}, Ly {}", text(layout.spacing), text(up)),
+    };
+    if grid.stagger {
+        said.push_str(", staggered");
+    }
+    if grid.twists != Twists::default() {
+        said.push_str(&format!(", twists {}", grid.twists.word()));
+    }
+    said
+}
+
+/// The spacings of a layout for a column: `3.00`, `2.50 x 3.50`, staggered ones with an `s` behind.
+pub(crate) fn spacings(layout: &Layout, unit: LengthUnit) -> String {
+    let up = layout.grid.up.map_or(String::new(), |up| format!(" x {}", length_entry(up, unit)));
+    let stagger = if layout.grid.stagger { " s" } else { "" };
+    format!("{}{up}{stagger}", length_entry(layout.spacing, unit))
+}
 
 /// `F_a 27.1 kN, delta_a 0.635 m`.
 pub(crate) fn values(v: Strength, unit: LengthUnit) -> String {

@@ -3,7 +3,7 @@
 use super::ensemble::Plan;
 use crate::dem::{Controls, SceneSpec, Test};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::layout::{Blocks, Twists};
+use crate::layout::{Blocks, PunchShape, Twists};
 use crate::mesh::wire::{CurvePoint, Slack};
 use crate::words::Choice;
 
@@ -54,6 +54,7 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .given("Ly", grid.up.filter(|up| anchored && *up != layout.spacing))
         .with("stagger", anchored && grid.stagger, false)
         .with("twists", grid.twists.word(), Twists::Down.word())
+        .with("shape", layout.shape.word(), PunchShape::Dome.word())
         .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
         .finish()
 }
@@ -98,6 +99,13 @@ mod tests {
             let layout = Layout { blocks, ..REFERENCE };
             of_ensemble(&SceneSpec { layout, ..spec.clone() }, &controls, &plan)
         };
+        let with = |change: &dyn Fn(&mut Layout)| {
+            let mut spec = spec.clone();
+            change(&mut spec.layout);
+            of_ensemble(&spec, &controls, &plan)
+        };
+        let square = with(&|layout| layout.grid.up = Some(layout.spacing));
+        assert_eq!(square, base, "two equal spacings are one");
         assert_eq!(stood(Blocks::Repeated), base, "the paper's are the repeated ones");
         let all = [
             base,
@@ -109,6 +117,11 @@ mod tests {
             of_ensemble(&spec, &controls, &Plan { runs: Some(8), ..plan.clone() }),
             stood(Blocks::Mirrored),
             stood(Blocks::Worst),
+            with(&|layout| layout.grid.up = Some(2.9)),
+            with(&|layout| layout.grid.stagger = true),
+            with(&|layout| layout.grid.twists = Twists::Across),
+            with(&|layout| layout.shape = PunchShape::Flat),
+            with(&|layout| layout.shape = PunchShape::Sphere),
         ];
         let different: std::collections::BTreeSet<u64> = all.iter().map(|f| f.0).collect();
         assert_eq!(different.len(), all.len());

@@ -21,6 +21,10 @@ pub(crate) fn draw(app: &App, reach: f64, grid: &mut DotGrid) {
     let band = |x: i32, y: i32| {
         let px = (f64::from(x) + 0.5) / f64::from(width) * reach - reach / 2.0;
         let py = reach / 2.0 - (f64::from(y) + 0.5) / f64::from(height) * reach;
+        let [half_x, half_y] = relief.sides.map(|side| side / 2.0);
+        if app.layout().layout.grid.up.is_some() && (px.abs() > half_x || py.abs() > half_y) {
+            return 0; // Beyond a cell that is not as wide as the plan.
+        }
         let part = relief.at(px, py) / relief.highest;
         levels.iter().filter(|level| part > **level).count()
     };

@@ -29,9 +29,10 @@ pub(crate) fn draw_rows(
 ) -> Option<Position> {
     let mut place = None;
     let rows = usize::from(list.height.saturating_sub(1));
-    let at = Input::LAYOUT.iter().position(|f| *f == app.field()).unwrap_or(0);
-    let first = first_shown(at, rows, Input::LAYOUT.len());
-    for (row, field) in Input::LAYOUT[first..].iter().take(rows).enumerate() {
+    let inputs = Input::of_layout(&app.layout().layout);
+    let at = inputs.iter().position(|f| *f == app.field()).unwrap_or(0);
+    let first = first_shown(at, rows, inputs.len());
+    for (row, field) in inputs[first..].iter().take(rows).enumerate() {
         let here = line(app, *field, list, row as u16, buf, theme);
         if *field == app.field() {
             place = here;
@@ -56,7 +57,14 @@ fn line(
     let value = app.layout().get(field);
     let sign = if selected { ">" } else { " " };
     let style = if selected { theme.title } else { theme.text };
-    put(buf, list, row, 0, &format!("{sign}{:<2} {}", field.word(), field.row().label), style);
+    put(
+        buf,
+        list,
+        row,
+        0,
+        &format!("{sign}{:<2} {}", field.word_in(&app.layout().layout), field.row().label),
+        style,
+    );
 
     let column = 13.min(list.width);
     let typed = match app.mode() {
@@ -135,9 +143,8 @@ fn short_range(app: &App, field: Input) -> String {
     let m = |v: f64| length_entry(v, app.units());
     match (field.row().published, field) {
         (Some(range), _) => format!("{}..{}", m(range.min), m(range.max)),
-        (None, Input::OffsetX | Input::OffsetY) => {
-            format!("+-{}", m(app.layout().layout.spacing / 2.0))
-        }
+        (None, Input::OffsetX) => format!("+-{}", m(app.layout().layout.sides()[0] / 2.0)),
+        (None, Input::OffsetY) => format!("+-{}", m(app.layout().layout.sides()[1] / 2.0)),
         _ => String::new(),
     }
 }

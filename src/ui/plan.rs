@@ -12,9 +12,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::f64::consts::TAU;
 
-/// Draws the plan with its heading. x runs to the right, y up, along the twists.
+/// Draws the plan with its heading. x runs to the right, y up the slope.
 pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    heading(buf, area, "cell, twists || y", "", theme);
+    let layout = app.layout().layout;
+    let along = layout.turned(["cell, twists || y", "cell, twists || x"])[0];
+    heading(buf, area, along, "", theme);
     let room = below(area, 1);
     if room.height < 3 || room.width < 10 {
         return;
@@ -23,7 +25,6 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let rows = room.height.min((room.width - 5) / 2);
     let plan = Rect { x: room.x + 1, y: room.y, width: rows * 2, height: rows };
     let mut grid = DotGrid::new(usize::from(plan.width), usize::from(plan.height), theme.glyphs);
-    let layout = app.layout().layout;
     let view = View::new(&layout, &grid);
     contours::draw(app, view.reach, &mut grid);
     punch(&layout, &view, &mut grid);
@@ -64,7 +65,8 @@ struct View {
 impl View {
     fn new(layout: &Layout, grid: &DotGrid) -> View {
         let (w, h) = grid.dots();
-        View { reach: layout.spacing + layout.plate, width: f64::from(w), height: f64::from(h) }
+        let [x, y] = layout.sides();
+        View { reach: x.max(y) + layout.plate, width: f64::from(w), height: f64::from(h) }
     }
 
     fn dot(&self, x: f64, y: f64) -> (f64, f64) {
@@ -76,6 +78,9 @@ impl View {
 /// The plates fill the view's corners: it reaches from the outer edge of one to that of the next.
 fn plates(layout: &Layout, view: &View, grid: &mut DotGrid) {
     let pen = DotPen { ink: Ink::Title, pattern: Pattern::Solid, ascii: Some('#') };
+    if !layout.is_square() {
+        return plates_of_rows(layout, view, grid, pen);
+    }
     let part = layout.plate / view.reach;
     let (width, height) = grid.dots();
     // A plate smaller than a dot is still one dot; in ASCII a sign is three dots high.
@@ -92,6 +97,26 @@ fn plates(layout: &Layout, view: &View, grid: &mut DotGrid) {
     }
 }
 
+/// The plates of a grid that does not fill the view's corners.
+fn plates_of_rows(layout: &Layout, view: &View, grid: &mut DotGrid, pen: DotPen) {
+    let (width, height) = grid.dots();
+    let dots =
+        |metres: f64, of: i32| ((metres / view.reach * f64::from(of)).round().max(1.0) as i32, of);
+    let ((w, _), (h, _)) = (dots(layout.plate, width), dots(layout.plate, height));
+    for above in -1..=2 {
+        for right in -2..=2 {
+            let (x, y) = layout.anchor_in(right, above);
+            let (x, y) = view.dot(x, y);
+            let (x0, y0) = (x.round() as i32 - w / 2, y.round() as i32 - h / 2);
+            for y in y0.max(0)..(y0 + h).min(height) {
+                for x in x0.max(0)..(x0 + w).min(width) {
+                    grid.dot(x, y, pen);
+                }
+            }
+        }
+    }
+}
+
 /// The outline of the punch and of its images in the neighbouring cells, and its centre.
 fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
     let outline = DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: Some('o') };
@@ -99,9 +124,7 @@ fn punch(layout: &Layout, view: &View, grid: &mut DotGrid) {
     let reach = view.reach / 2.0;
     for ix in -1..=1 {
         for iy in -1..=1 {
-            let (ex, ey) = layout.offset_in(ix, iy);
-            let (cx, cy) =
-                (ex + f64::from(ix) * layout.spacing, ey + f64::from(iy) * layout.spacing);
+            let (cx, cy) = layout.block_in(ix, iy);
             if cx.abs() - radius > reach || cy.abs() - radius > reach {
                 continue;
             }

@@ -19,7 +19,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     if texts.is_empty() {
         texts.push("All inputs are inside the published ranges.".into());
     }
-    texts.push("Lowest of the arrangements computed: a block in every cell; each anchor carries the force of its whole cell, more where blocks face each other. Square anchor grid, twists down the slope.".into());
+    texts.push("Lowest of the arrangements computed: a block in every cell; each anchor carries the force of its whole cell, more where blocks face each other. Published relations are for square grids.".into());
     let lines = texts.iter().flat_map(|t| textwrap::wrap(t, options.clone()));
     for (row, line) in lines.take(usize::from(list.height)).enumerate() {
         put(buf, list, row as u16, 1, &line, theme.text);

@@ -12,7 +12,7 @@ fn results_go_to_standard_output_or_to_a_file() {
     let (keep, path) = file("road-cut.ron", PROJECT);
     let project = shown(&path);
     let table = good(&["export", project, "--what", "table"]);
-    assert!(table.starts_with("layout,mesh,d_m,L_m,D_m,"), "{table}");
+    assert!(table.starts_with("layout,mesh,d_m,L_m,Ly_m,D_m,"), "{table}");
     let chart = good(&["export", project, "--what", "chart", "--layout", "bench 2"]);
     assert!(chart.starts_with("<svg ") && chart.ends_with("</svg>\n"));
     assert_eq!(chart, good(&["export", project, "--format", "svg", "--layout", "bench 2"]));

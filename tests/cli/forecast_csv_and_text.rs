@@ -90,7 +90,6 @@ fn the_text_says_what_an_engineer_asks_for() {
         "10.0 kN factored to 15.0 kN: use 55.4 %",
         "lowest of the arrangements computed",
         "square grid",
-        "twists",
         "tangent 138, secant 42.6 kN/m; 4.06 kJ",
         "27.1 kN and",
     ] {

@@ -7,6 +7,7 @@ mod errors;
 mod exporting;
 mod forecast_csv_and_text;
 mod forecast_json;
+mod grid;
 mod inputs;
 mod program;
 mod readme;

@@ -229,7 +229,10 @@ fn a_comparison_names_what_governs_and_sorts() {
     assert!(text.contains(">xbench 2 ") && text.contains("> governing"), "{text}");
     assert!(text.contains("on plate"), "{text}");
     let csv = good(&["compare", shown(&path), "--format", "csv"]);
-    assert!(csv.contains("\n\"portal, east\",dt-8x10-2.7,0.4,4,1.2,2,0.2,37.0981"), "{csv}");
+    assert!(
+        csv.contains("\n\"portal, east\",dt-8x10-2.7,0.4,4,,1.2,2,0.2,false,down,37.0981"),
+        "{csv}"
+    );
     assert!(refused(&["compare"]).contains("PROJECT.ron"));
     assert!(refused(&["compare", shown(&path), "--sort", "width"]).contains("utilisation"));
 }

@@ -4,6 +4,7 @@ mod canned;
 mod checks;
 mod desk;
 mod empty;
+mod grid;
 mod harness;
 mod job;
 mod new_user;

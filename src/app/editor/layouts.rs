@@ -4,7 +4,7 @@ use super::history::Run;
 use super::{Editor, NONE};
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
-use crate::layout::{self, Blocks, BranchRule, Layout};
+use crate::layout::{self, Blocks, BranchRule, Grid, Layout, PunchShape, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
@@ -22,13 +22,37 @@ pub(crate) struct MeshChoice {
     pub(crate) inline: bool,
 }
 
+/// Kinds of grids.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::app) enum GridKind {
+    /// One spacing.
+    Square,
+    /// Two.
+    Rectangular,
+    /// Two, and every other row shifted.
+    Staggered,
+}
+
+impl Choice for GridKind {
+    const ALL: &'static [GridKind] =
+        &[GridKind::Square, GridKind::Rectangular, GridKind::Staggered];
+
+    fn word(self) -> &'static str {
+        match self {
+            GridKind::Square => "square",
+            GridKind::Rectangular => "rectangular",
+            GridKind::Staggered => "staggered",
+        }
+    }
+}
+
 impl Editor {
     /// Steps the selected input up or down.
     ///
     /// # Errors
     /// What the input may be, where the step leads out of that.
     pub(in crate::app) fn step_field(&mut self, size: StepSize, up: bool) -> Result<(), String> {
-        let field = self.field;
+        let field = self.field();
         let value = match self.layout().get(field) {
             Some(value) => field.stepped(value, &self.layout().layout, size, up),
             None => self.first_value(field),
@@ -44,8 +68,8 @@ impl Editor {
     }
 
     fn put_field(&mut self, run: Run, value: Option<f64>) {
-        let field = self.field;
-        let label = format!("{} of {}", field.word(), self.layout().name);
+        let field = self.field();
+        let label = format!("{} of {}", field.word_in(&self.layout().layout), self.layout().name);
         let at = self.selected;
         self.edit_in(run, label, |project| {
             let Some(layout) = project.layouts.get_mut(at) else { return };
@@ -222,8 +246,64 @@ impl Editor {
             Blocks::Single => "single: one block on a large mesh, in as many cells as it needs",
             Blocks::Worst => "worst: the check takes the lower of repeated and mirrored",
         };
-        let overlap = blocks == Blocks::Mirrored && self.layout().layout.blocks_overlap().is_some();
-        if overlap { format!("{said}; here they overlap: no check") } else { said.into() }
+        let layout = &self.layout().layout;
+        if blocks == Blocks::Mirrored && layout.grid.stagger {
+            format!("{said}; not on a staggered grid: no check")
+        } else if blocks == Blocks::Mirrored && layout.blocks_overlap().is_some() {
+            format!("{said}; here they overlap: no check")
+        } else {
+            said.into()
+        }
+    }
+
+    /// Goes on to the next kind of grid: square, two spacings, staggered; what to say.
+    pub(in crate::app) fn turn_grid(&mut self) -> &'static str {
+        let kind = match self.layout().layout.grid {
+            Grid { stagger: true, .. } => GridKind::Square,
+            Grid { up: Some(_), .. } => GridKind::Staggered,
+            Grid { up: None, .. } => GridKind::Rectangular,
+        };
+        self.set_grid(kind)
+    }
+
+    /// Sets the kind of grid; what to say. What has no second spacing yet begins with the first.
+    pub(in crate::app) fn set_grid(&mut self, kind: GridKind) -> &'static str {
+        let label = format!("grid of {}", self.layout().name);
+        self.edit_layout(label, |layout| {
+            let spacing = layout.layout.spacing;
+            let grid = &mut layout.layout.grid;
+            grid.stagger = kind == GridKind::Staggered;
+            grid.up = (kind != GridKind::Square).then(|| grid.up.unwrap_or(spacing));
+        });
+        match kind {
+            GridKind::Square => "square grid: one spacing L",
+            GridKind::Rectangular => "two spacings: Lx across, Ly up the slope; Del takes Ly away",
+            GridKind::Staggered => "staggered: every other row of anchors is Lx/2 further",
+        }
+    }
+
+    /// Sets the shape of the block; what to say.
+    pub(in crate::app) fn set_shape(&mut self, shape: PunchShape) -> String {
+        let label = format!("shape of the block of {}", self.layout().name);
+        self.edit_layout(label, |layout| layout.layout.shape = shape);
+        format!(
+            "the check's block is {}; forecasts know the dome alone",
+            match shape {
+                PunchShape::Dome => "the laboratory's dome",
+                PunchShape::Sphere => "a sphere",
+                PunchShape::Flat => "flat",
+            }
+        )
+    }
+
+    /// Turns the net under the layout; what to say.
+    pub(in crate::app) fn set_twists(&mut self, twists: Twists) -> &'static str {
+        let label = format!("twists of {}", self.layout().name);
+        self.edit_layout(label, |layout| layout.layout.grid.twists = twists);
+        match twists {
+            Twists::Down => "the twists run down the slope, along y",
+            Twists::Across => "the twists run across the slope, along x",
+        }
     }
 
     /// Sets the unit of lengths, kept in the project.

@@ -7,7 +7,7 @@ mod history;
 mod layouts;
 
 pub(super) use history::History;
-pub(super) use layouts::MeshChoice;
+pub(super) use layouts::{GridKind, MeshChoice};
 
 use super::derived::{self, LayoutResult};
 use crate::case::{Case, Input};
@@ -110,7 +110,9 @@ impl Editor {
 
     /// The selected input.
     pub(super) fn field(&self) -> Input {
-        self.field
+        // Another layout may have one spacing where the last had two.
+        let there = self.field.stands_in(&self.layout().layout);
+        if there { self.field } else { Input::Spacing }
     }
 
     /// What follows from each layout, in the order of the list.
@@ -163,12 +165,12 @@ impl Editor {
 
     /// Selects the input below or above, if there is one.
     pub(super) fn select_next_field(&mut self, down: bool) {
-        let fields = Input::LAYOUT;
+        let (fields, here) = (Input::of_layout(&self.layout().layout), self.field());
         let next = fields.windows(2).find_map(|pair| match down {
-            true => (pair[0] == self.field).then_some(pair[1]),
-            false => (pair[1] == self.field).then_some(pair[0]),
+            true => (pair[0] == here).then_some(pair[1]),
+            false => (pair[1] == here).then_some(pair[0]),
         });
-        self.field = next.unwrap_or(self.field);
+        self.field = next.unwrap_or(here);
     }
 
     /// Makes the forecasts anew.

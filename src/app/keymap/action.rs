@@ -28,6 +28,10 @@ pub enum Action {
     PickMesh,
     Branch,
     Blocks,
+    /// The next kind of grid of the layout.
+    Grid,
+    /// The net turned under the layout.
+    Twists,
     Units,
     Basis,
     Undo,

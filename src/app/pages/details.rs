@@ -108,6 +108,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
         _ => {}
     }
     let blocks = app.layout().layout;
+    page.row("shape of the block in the check", blocks.shape.word());
     page.row("blocks of other cells", blocks.blocks.word());
     match blocks.facing_bound() {
         None => page.row("force on each anchor", &force_text(field.values.force)),

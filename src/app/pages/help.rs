@@ -28,7 +28,7 @@ impl Topic {
 /// What words and symbols mean that stand on the screens, in the order in which they are met.
 const WORDS: [(&str, &str); 20] = [
     ("d", "side of the square anchor plates"),
-    ("L", "spacing of the anchors, which stand on a square grid"),
+    ("L", "spacing of the anchors; Lx and Ly of a grid with two (P)"),
     (
         "D",
         "diameter of the block that pushes; `punch` is its name in the laboratory test and in the paper",

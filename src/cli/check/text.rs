@@ -9,6 +9,7 @@ use crate::curve::Curve;
 use crate::dem::{Arrangement, Stop, Test};
 use crate::forecast::CURVE_POINTS;
 use crate::layout::Blocks;
+use crate::show::say;
 use crate::study::blocks::word;
 use crate::study::ensemble::Run;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, significant, to_kj, to_kn};
@@ -75,8 +76,8 @@ fn inputs(page: &mut Page, c: &Checked) {
         Test::Laboratory => String::new(),
     };
     let text = format!(
-        "{plates}L {}, D {}, ex {}, ey {}{}",
-        page.entry(l.spacing),
+        "{plates}{}, D {}, ex {}, ey {}{}",
+        say::grid(l, page.unit),
         page.entry(l.punch),
         page.entry(l.ex),
         page.entry(l.ey),

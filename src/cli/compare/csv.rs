@@ -6,6 +6,7 @@ use crate::show::columns::{self, CheckRow, OVER_LAB, PointRow, check_mean, check
 use crate::show::table::Table;
 use crate::show::verdict;
 use crate::study::compare::CompareRow;
+use crate::words::Choice;
 
 /// One layout.
 struct LayoutRow<'a> {
@@ -24,8 +25,11 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> String {
     let table = Input::GEOMETRY
         .into_iter()
         .fold(start, |table, input| {
-            table.with(input.column(), move |l| columns::input(input, input.value(&l.row.case)))
+            let value = move |l: &LayoutRow| l.row.case.get(input);
+            table.with(input.column(), move |l| value(l).map(|v| columns::input(input, v)).into())
         })
+        .with("stagger", |l| l.row.case.layout.grid.stagger.into())
+        .with("twists", |l| l.row.case.layout.grid.twists.word().into())
         .part([force, deflection], |l| Some(&l.point))
         .part(OVER_LAB, |l| l.row.forecast())
         .part([utilisation, at_load, service], |l| Some(&l.point))

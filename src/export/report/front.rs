@@ -6,7 +6,7 @@ use crate::VERSION;
 use crate::export::ExportedLayout;
 use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
-use crate::show::verdict;
+use crate::show::{say, verdict};
 use crate::study::verdict::Finding;
 use crate::units::{
     LengthUnit, force_text, length_entry, maybe_length_text, shortest, significant, to_kn,
@@ -86,9 +86,9 @@ fn verdict_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
     let asked = case.case.asked();
     let mut row = vec![Words::from(case.entry.name.clone())];
     let layout = &case.entry.layout;
-    for metres in [layout.plate, layout.spacing, layout.punch] {
-        row.push(length_entry(metres, unit).into());
-    }
+    row.push(length_entry(layout.plate, unit).into());
+    row.push(say::spacings(layout, unit).into());
+    row.push(length_entry(layout.punch, unit).into());
     let load = asked.force.map(|force| significant(to_kn(force), 3));
     row.push(load.unwrap_or("-".into()).into());
     row.push(shortest(asked.gamma_load).into());
@@ -200,7 +200,9 @@ pub(crate) fn inputs(report: &Report<'_>, document: &mut ReportDocument) {
     let rows = report.cases.iter().map(|case| {
         let e = &case.entry;
         let mut row = vec![Words::from(e.name.clone())];
-        for metres in [e.layout.plate, e.layout.spacing, e.layout.punch, e.layout.ex, e.layout.ey] {
+        row.push(length_entry(e.layout.plate, unit).into());
+        row.push(say::spacings(&e.layout, unit).into());
+        for metres in [e.layout.punch, e.layout.ex, e.layout.ey] {
             row.push(length_entry(metres, unit).into());
         }
         let length = |v: f64| format!("{} {sign}", length_entry(v, unit));

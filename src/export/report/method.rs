@@ -58,7 +58,7 @@ pub(crate) fn limits(document: &mut ReportDocument) {
     );
     document.blocks.push(Block::List(vec![
         ours("The lowest of the arrangements computed, with a block in every cell of the mesh: where the same block repeats each anchor carries the whole force of its cell, where blocks face each other across a line of anchors the one between them carries more. It is not the answer for one block on a large mesh."),
-        ours("Anchors stand on a square grid and the net hangs with its twists down the slope (y). Other grids are not covered."),
+        ours("The published relations are for anchors on a square grid. Rectangular grids (two spacings in the tables) and staggered ones (s) have none: no forecast, the check by simulation answers."),
         ours(&ranges),
         ours("{F_a} jumps where {D} = {d}. Near it both values are given, and a layout may choose the conservative one."),
         ours("At their own reference point the published relations return 0.93 {F_a*} and 0.98 {delta_a*} (27.1 kN and 0.635 m for the reference mesh). They are used as published."),

@@ -4,6 +4,7 @@ use super::drawing::{Anchor, Drawing, Frame, Stroke, TEXT, text_width};
 use crate::export::ExportedLayout;
 use crate::layout::{Blocks, Layout};
 use crate::units::{LengthUnit, length_entry};
+use crate::words::Choice;
 use std::f64::consts::TAU;
 
 /// Width of a plan, in units of the picture.
@@ -11,35 +12,47 @@ const WIDTH: f64 = 440.0;
 /// The window through which the net is seen.
 const WINDOW: Frame = Frame { left: 24.0, top: 44.0, right: 344.0, bottom: 364.0 };
 
-/// Draws the plan of a layout's cell. x runs to the right, across the twists of the net; y up, along
-/// them. What lies beyond the cell is its periodic image. Lengths are written in `unit`.
+/// Draws the plan of a layout's cell. x runs to the right, y up the slope. What lies beyond the cell are the
+/// blocks and anchors of its neighbours. Lengths are written in `unit`.
 pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
     let layout = &case.forecast().layout;
     let title = format!("{}: the cell from above", case.entry.name);
     let mut drawing = Drawing::new(WIDTH);
     let view = View::new(layout);
-    let half = layout.spacing / 2.0;
+    let [half_x, half_y] = layout.sides().map(|side| side / 2.0);
 
-    let corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)];
+    let corners = [
+        (-half_x, -half_y),
+        (half_x, -half_y),
+        (half_x, half_y),
+        (-half_x, half_y),
+        (-half_x, -half_y),
+    ];
     let cell = Stroke { colour: "#555", width: 1.0, dashes: "6 4" };
     drawing.line(&corners.map(|p| view.at(p)), cell);
     punches(layout, &view, &mut drawing);
-    for (x, y) in [(-half, -half), (half, -half), (half, half), (-half, half)] {
-        let r = layout.plate / 2.0;
-        let plate = [(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)];
-        drawing.area(&plate.map(|p| view.at(p)), "#444", Stroke::solid("#000", 1.0));
-    }
+    plates(layout, &view, &mut drawing);
     drawing.rectangle(WINDOW, "none", Stroke::solid("#000", 1.0));
-    directions(&mut drawing);
-    let spacing = format!("L = {}", length(layout.spacing, unit));
+    directions(layout, &mut drawing);
+    let spacing = format!("{} = {}", layout.words()[0], length(layout.spacing, unit));
     dimension(layout, &view, &spacing, &mut drawing);
 
     drawing.bold((24.0, 26.0), Anchor::Start, TEXT, "plan of the cell, to scale");
+    let up = layout.grid.up.map_or(String::new(), |up| format!(", Ly = {}", length(up, unit)));
+    let spacing = spacing + &up + if layout.grid.stagger { ", staggered" } else { "" };
+    let grid = (!layout.is_square() || !up.is_empty()).then(|| format!("grid: {spacing}"));
+    let others = match layout.blocks {
+        Blocks::Paper | Blocks::Repeated => None,
+        Blocks::Mirrored | Blocks::Worst | Blocks::Single => {
+            Some(format!("blocks of other cells (dashed): {}", layout.blocks.word()))
+        }
+    };
     let lines = [
         format!("plates (filled): d = {}", length(layout.plate, unit)),
         format!("block (circle): D = {}", length(layout.punch, unit)),
         format!("offset: ex = {}, ey = {}", length(layout.ex, unit), length(layout.ey, unit)),
     ];
+    let lines: Vec<String> = grid.into_iter().chain(lines).chain(others).collect();
     let mut y = 422.0;
     for line in &lines {
         drawing.text((24.0, y), Anchor::Start, 13.0, line);
@@ -58,9 +71,14 @@ struct View {
 }
 
 impl View {
-    /// The cell with its plates, and a little of what lies beyond.
+    /// The cell with its plates, and a little of what lies beyond; more where the blocks of the neighbours
+    /// stand in a way of their own.
     fn new(layout: &Layout) -> View {
-        let reach = layout.spacing + layout.plate + 0.06 * layout.spacing;
+        let [x, y] = layout.sides();
+        let side = x.max(y);
+        let alike = matches!(layout.blocks, Blocks::Paper | Blocks::Repeated) && layout.is_square();
+        let beyond = if alike { 0.06 } else { 0.8 };
+        let reach = side + layout.plate + beyond * side;
         View { scale: (WINDOW.right - WINDOW.left) / reach }
     }
 
@@ -72,15 +90,31 @@ impl View {
     }
 }
 
+/// The anchors' plates, those of the cell's corners and those around it that are in the window.
+fn plates(layout: &Layout, view: &View, drawing: &mut Drawing) {
+    let r = layout.plate / 2.0;
+    for above in -1..=2 {
+        for right in -2..=2 {
+            let (x, y) = layout.anchor_in(right, above);
+            let plate = [(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)];
+            let plate = plate.map(|p| view.at(p));
+            let inside = |(x, y): &(f64, f64)| {
+                (WINDOW.left..=WINDOW.right).contains(x) && (WINDOW.top..=WINDOW.bottom).contains(y)
+            };
+            if plate.iter().all(inside) {
+                drawing.area(&plate, "#444", Stroke::solid("#000", 1.0));
+            }
+        }
+    }
+}
+
 /// The punch, its images in the neighbouring cells, and the way from the cell's middle to it.
 fn punches(layout: &Layout, view: &View, drawing: &mut Drawing) {
-    let (ex, ey) = layout.folded();
+    let (offset, block) = (layout.folded(), layout.block_in(0, 0));
     let radius = layout.punch / 2.0;
     for ix in -1..=1 {
         for iy in -1..=1 {
-            let (ex, ey) = layout.offset_in(ix, iy);
-            let (cx, cy) =
-                (ex + f64::from(ix) * layout.spacing, ey + f64::from(iy) * layout.spacing);
+            let (cx, cy) = layout.block_in(ix, iy);
             let round: Vec<(f64, f64)> = (0..=96)
                 .map(|i| {
                     let angle = TAU * f64::from(i) / 96.0;
@@ -101,8 +135,9 @@ fn punches(layout: &Layout, view: &View, drawing: &mut Drawing) {
             }
         }
     }
-    let (middle, centre) = (view.at((0.0, 0.0)), view.at((ex, ey)));
-    if (ex, ey) != (0.0, 0.0) {
+    let from = (block.0 - offset.0, block.1 - offset.1);
+    let (middle, centre) = (view.at(from), view.at(block));
+    if offset != (0.0, 0.0) {
         drawing.line(&[middle, centre], Stroke { colour: "#000", width: 1.0, dashes: "2 3" });
         drawing.circle(middle, 2.5, "#fff", Stroke::solid("#000", 1.0));
     }
@@ -138,24 +173,29 @@ fn dimension(layout: &Layout, view: &View, text: &str, drawing: &mut Drawing) {
 }
 
 /// Axes beside the window and how the net hangs.
-fn directions(drawing: &mut Drawing) {
+fn directions(layout: &Layout, drawing: &mut Drawing) {
     let (x, y) = (WINDOW.right + 30.0, WINDOW.bottom - 40.0);
     arrow(drawing, (x, y), (x, y - 60.0));
     arrow(drawing, (x, y), (x + 46.0, y));
     drawing.text((x, y - 66.0), Anchor::Middle, 13.0, "y");
     drawing.text((x + 52.0, y + 4.0), Anchor::Start, 13.0, "x");
-    // Twists: short double strokes along y.
+    // Twists: short double strokes along them.
     let pen = Stroke::solid("#000", 1.4);
-    let top = WINDOW.top + 40.0;
+    let (left, top) = (x, WINDOW.top + 40.0);
     for (column, from) in [(0.0, 0.0), (16.0, 20.0), (32.0, 0.0)] {
         for shift in [-1.6, 1.6] {
             let at = x + column + shift;
             for row in [0.0, 40.0] {
-                drawing.line(&[(at, top + from + row), (at, top + from + row + 18.0)], pen);
+                let ends = [from + row, from + row + 18.0].map(|along| {
+                    let [x, y] = layout.turned([at - left, along]);
+                    (x + left, y + top)
+                });
+                drawing.line(&ends, pen);
             }
         }
     }
-    for (line, word) in ["twists of", "the net:", "along y"].iter().enumerate() {
+    let along = layout.turned(["along y", "along x"])[0];
+    for (line, word) in ["twists of", "the net:", along].iter().enumerate() {
         let y = top + 108.0 + 16.0 * line as f64;
         drawing.text((WINDOW.right + 14.0, y), Anchor::Start, 13.0, word);
     }

@@ -270,7 +270,7 @@ fn one_layout(
         }
         let input = Input::named(name);
         let in_its_unit = match (input, &present.kind) {
-            (Some(input), NodeKind::Text(text)) => is
+            (Some(input), NodeKind::Text(text)) if new.is_some() => is
                 .get(input)
                 .and_then(|si| write::number_with_unit(si, input.row().quantity, unit_of(text))),
             _ => None,
@@ -281,6 +281,9 @@ fn one_layout(
                 (Some(text), _) => FieldChange::Set(text),
                 (None, "check") => FieldChange::Unset,
                 (None, "note") => FieldChange::Set("\"\"".to_string()),
+                (None, "shape") => FieldChange::Set(is.layout.shape.word().to_string()),
+                (None, "stagger") => FieldChange::Set("false".to_string()),
+                (None, "twists") => FieldChange::Set(is.layout.grid.twists.word().to_string()),
                 (None, "overlay") => FieldChange::Set("false".to_string()),
                 (None, "blocks") => FieldChange::Set(is.layout.blocks.word().to_string()),
                 (None, "branch") => FieldChange::Set(is.branch.word().to_string()),

@@ -192,6 +192,9 @@ impl<'r, 't> At<'r, 't> {
         for name in words::needed(holder) {
             let field = Path::Field(self.path, name);
             match self.node.field(name) {
+                None if words::stands_for(holder, name)
+                    .iter()
+                    .any(|other| self.node.field(other).is_some()) => {}
                 None => drop(self.note(words::missing_field(name))),
                 Some(entry) if entry.value.is_none() => {
                     At { node: &entry.value, path: &field, ..self }.note_due("a value");

@@ -208,7 +208,10 @@ fn anchor_share(case: &Case, check: Option<&CheckResult>) -> (f64, Judge) {
     match (check.and_then(CheckResult::anchor_share), case.layout.facing_bound()) {
         (Some(share), _) => (share, Judge::Check),
         (None, Some(bound)) => (bound, Judge::Estimate),
-        (None, None) if case.layout.blocks == Blocks::Single => (1.0, Judge::Estimate),
+        // Beyond one anchor to a repeating cell statics say what they carry together, not each.
+        (None, None) if case.layout.blocks == Blocks::Single || case.layout.grid.stagger => {
+            (1.0, Judge::Estimate)
+        }
         (None, None) => (1.0, Judge::Statics),
     }
 }

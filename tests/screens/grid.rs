@@ -1,0 +1,54 @@
+//! Grids of anchors on the screen: keys, rows of the inputs, the plan.
+
+use crate::harness::*;
+use meshcast::app::App;
+use meshcast::layout::{Grid, Twists};
+
+fn app() -> App {
+    start(road_cut(), (80, 24), COLOR)
+}
+
+#[test]
+fn keys_turn_the_grid_and_the_net_and_undo_takes_each_back() {
+    let mut app = app();
+    press(&mut app, "P");
+    let two = Grid { up: Some(2.5), ..Grid::SQUARE };
+    assert_eq!(app.layout().layout.grid, two);
+    press(&mut app, "P");
+    assert_eq!(app.layout().layout.grid, Grid { stagger: true, ..two });
+    press(&mut app, "T");
+    assert_eq!(app.layout().layout.grid.twists, Twists::Across);
+    press(&mut app, "P");
+    assert_eq!(app.layout().layout.grid, Grid { twists: Twists::Across, ..Grid::SQUARE });
+    press(&mut app, "uuu");
+    assert_eq!(app.layout().layout.grid, two);
+    press(&mut app, ":grid staggered<Enter>:twists across<Enter>");
+    let all = Grid { stagger: true, twists: Twists::Across, ..two };
+    assert_eq!(app.layout().layout.grid, all);
+}
+
+#[test]
+fn the_second_spacing_is_a_row_where_there_is_one() {
+    let mut app = app();
+    // From d down: L, D.
+    press(&mut app, "<Down><Down><Right>");
+    assert_eq!(app.layout().layout.punch, 0.65);
+    press(&mut app, "P<Up><Right>");
+    assert_eq!(app.layout().layout.sides(), [2.5, 2.55]);
+    press(&mut app, "<Up>3.2<Enter>");
+    assert_eq!(app.layout().layout.sides(), [3.2, 2.55]);
+    // The next layout has no second spacing: the mark is at its only one.
+    press(&mut app, "<Down><Tab><Right>");
+    assert_eq!(app.layout().layout.sides(), [2.55, 2.55]);
+    press(&mut app, "<S-Tab><Del>");
+    assert_eq!(app.layout().layout.grid, Grid::SQUARE);
+}
+
+#[test]
+fn a_grid_without_a_relation_says_so_and_is_drawn() {
+    let mut app = start(road_cut(), (80, 24), ASCII);
+    press(&mut app, "<Tab><Tab>P:grid staggered<Enter>L4.5<Enter>");
+    insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+        insta::assert_snapshot!("grid_staggered_80x24_ascii", styled(&app));
+    });
+}
