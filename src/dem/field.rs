@@ -201,7 +201,7 @@ impl Field {
     }
 
     /// Where an anchor stands, by its number (row by row), from the field's corner, m; in the layout's axes.
-    pub(super) fn anchor(&self, number: usize) -> [f64; 2] {
+    pub(crate) fn anchor(&self, number: usize) -> [f64; 2] {
         let at = [number % self.rows[0], number / self.rows[0]].map(|n| n as f64);
         self.turned(match self.staggered {
             None => [0, 1].map(|k| self.cell[k] * at[k]),
@@ -212,7 +212,7 @@ impl Field {
     }
 
     /// A vector of the field's plane in the layout's axes.
-    pub(super) fn turned<T: Copy>(&self, [x, y]: [T; 2]) -> [T; 2] {
+    pub(crate) fn turned<T: Copy>(&self, [x, y]: [T; 2]) -> [T; 2] {
         if self.across { [y, x] } else { [x, y] }
     }
 

@@ -6,6 +6,7 @@ use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
 use crate::study::remark::CheckRemark;
 use crate::study::result::places::Places;
+use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
 use crate::study::verdict::Simulated;
 use crate::units::LengthUnit;
@@ -94,7 +95,7 @@ fn notes(
     let mut notes = Vec::new();
     if v.breaks.len() > 1 {
         notes.push(format!(
-            "over random alignments and slack: force {} +- {} kN (standard deviation; standard error {}), 5 to 95 % {} to {} kN; deflection {} +- {}, 5 to 95 % {} to {}",
+            "over alignments and slack: force {} +- {} kN (standard deviation; standard error {}), 5 to 95 % {} to {} kN; deflection {} +- {}, 5 to 95 % {} to {}",
             kn(v.force.mean),
             kn(v.force.deviation),
             kn(v.force.error),
@@ -106,6 +107,10 @@ fn notes(
             m(v.deflection.band[1])
         ));
     }
+    if let Some(force) = v.characteristic() {
+        notes.push(format!("characteristic force {}: {CHARACTERISTIC}", force_text(force)));
+    }
+    notes.extend(sentence(&v.catches()));
     notes.push(format!(
         "peak {} at {}; stiffness at 75 % of the force {} kN/m; energy up to the first break {} kJ",
         force_text(v.peak.force),

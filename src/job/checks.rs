@@ -7,7 +7,7 @@ use crate::case::Case;
 use crate::curve::Point;
 use crate::dem::Flow;
 use crate::study::ensemble::{EnsembleProgress, Run, summary};
-use crate::study::result::make::{Made, Told, fingerprint, make, wires};
+use crate::study::result::make::{Made, Told, fingerprint, make, sample, wires};
 use crate::study::result::relief::Relief;
 use crate::study::result::{CheckResult, Wanted};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -116,8 +116,9 @@ impl Checks {
         runs.sort_by_key(|(k, _)| *k);
         let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
         let relief = net.map(|net| Relief::from_net(net, &target.case.layout));
-        let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect());
         let wire = wires(&target.case.mesh).ok()?;
+        let sample = sample(&target.case.layout, wire, &self.wanted).ok()?;
+        let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect(), sample);
         let inputs = fingerprint(&target.case.layout, wire, &self.wanted);
         let mut result = CheckResult::from_ensemble(&ensemble, &self.wanted, inputs);
         // A first run goes on behind its break; the mean of several does not, and the chart would jump.

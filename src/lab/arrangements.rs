@@ -9,7 +9,7 @@ use crate::mesh::catalogue;
 use crate::problem::Problem;
 use crate::study::blocks;
 use crate::study::ensemble::{Plan, Run, counts};
-use crate::study::result::{WorstAnchor, anchors};
+use crate::study::result::worst_anchor;
 use crate::units::to_kn;
 use serde::Serialize;
 
@@ -91,7 +91,7 @@ fn row(scene: &str, stood: &blocks::Stood) -> ArrangementRow {
     let runs: Vec<&Run> = e.runs.iter().filter(|run| counts(run)).collect();
     let n = runs.len().max(1) as f64;
     let mean = |of: &dyn Fn(&Run) -> f64| runs.iter().map(|run| of(run)).sum::<f64>() / n;
-    let worst = WorstAnchor::of(&anchors(&runs));
+    let worst = worst_anchor(e);
     ArrangementRow {
         scene: scene.to_string(),
         blocks: stood.words(),

@@ -7,7 +7,7 @@
 
 use super::bench::{Listener, errors, scene};
 use crate::dem::fast::{Fast, FastOptions, Path};
-use crate::dem::hash::uniform;
+use crate::dem::hash::{hash, uniform};
 use crate::dem::run::drive;
 use crate::dem::{
     Arrangement, Controls, Fidelity, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test,
@@ -15,7 +15,6 @@ use crate::dem::{
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
-use crate::study::ensemble::{Plan, draw};
 use serde::Serialize;
 
 /// One row of a table.
@@ -249,9 +248,9 @@ const OTHERS: usize = 16;
 fn others(test: Test, listener: Listener) -> Result<Option<Vec<(f64, f64)>>, Vec<Problem>> {
     let mut pairs = Vec::new();
     for k in 0..OTHERS {
-        let plan = Plan { seed: 77, ..Plan::default() };
-        let (seed, phase) = draw(&plan, k);
+        let seed = hash(77, k as u64);
         let part = |n: u64, low: f64, high: f64| low + (high - low) * uniform(seed, u64::MAX - n);
+        let phase = [part(0, 0.0, 1.0), part(1, 0.0, 1.0)];
         let spacing = part(2, 1.8, 4.0);
         let punch = part(3, 0.5, (0.6 * spacing - 0.4).min(1.2));
         let (ex, ey) = (part(4, -0.1, 0.1) * spacing, part(5, -0.1, 0.1) * spacing);

@@ -14,6 +14,7 @@ use crate::layout::{Layout, REFERENCE};
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, Spread};
+use crate::study::sampling::{self, Placed};
 use crate::units::from_kn;
 
 /// The paper's laboratory test: force, N, and deflection, m (section 3).
@@ -306,12 +307,12 @@ fn facing_rows(made: &[Ensemble]) -> Vec<PaperRow> {
         let parts: [fn(&Point) -> f64; 2] = [|p| p.force, |p| p.deflection];
         for (part, of) in parts.into_iter().enumerate() {
             let pairs = ensemble.runs.iter().zip(&centred.runs);
-            let ratios: Vec<f64> = pairs
+            let ratios: Vec<Placed> = pairs
                 .filter_map(|(a, b)| {
-                    Some(of(&a.outcome.first_break?) / of(&b.outcome.first_break?))
+                    Some(a.placed(of(&a.outcome.first_break?) / of(&b.outcome.first_break?)))
                 })
                 .collect();
-            let spread = Spread::of(&ratios, &ratios);
+            let spread = sampling::figures(&ensemble.sample, &ratios, &ratios);
             list.push(PaperRow {
                 case: format!("{}, {}", case.words, ["F", "delta"][part]),
                 quantity: PaperQuantity::Ratio,
@@ -485,6 +486,7 @@ mod tests {
     fn run(curve: Curve) -> Run {
         let failure = curve.failure;
         Run {
+            pattern: None,
             seed: 0,
             phase: PLAIN_PHASE,
             outcome: RunOutcome {

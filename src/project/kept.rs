@@ -12,7 +12,7 @@ use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
 use crate::study::remark::CheckFlag;
 use crate::study::result::{
-    CheckResult, FieldFigures, FirstBreak, Later, Revisions, Wanted, mean, rounded,
+    CheckResult, FieldFigures, FirstBreak, Revisions, Sampled, Wanted, mean, rounded,
 };
 use crate::units::{from_kn, to_kn};
 use serde::{Deserialize, Serialize};
@@ -67,7 +67,7 @@ pub(super) struct Kept {
     /// The worst anchor of each run with a break, kN out of the plane and in it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     anchors: Vec<[f64; 2]>,
-    /// What later versions note, see [`Later`]; left out where there is none.
+    /// Where the runs stood and points of the distribution, see [`Sampled`]; left out where there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     strata: Option<Vec<Vec<f64>>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -160,8 +160,8 @@ impl Kept {
             warnings: v.flags.iter().map(|flag| flag.code().to_string()).collect(),
             arrangement: v.field.arrangement.clone(),
             anchors: v.field.anchors.iter().map(|parts| parts.map(kn)).collect(),
-            strata: v.later.strata.clone(),
-            fractiles: v.later.fractiles.clone(),
+            strata: v.sampled.strata.clone(),
+            fractiles: v.sampled.fractiles.clone(),
         }
     }
 
@@ -267,7 +267,7 @@ impl Kept {
                 arrangement: k.arrangement,
                 anchors: k.anchors.into_iter().map(|parts| parts.map(from_kn)).collect(),
             },
-            later: Later { strata: k.strata, fractiles: k.fractiles },
+            sampled: Sampled { strata: k.strata, fractiles: k.fractiles },
         }
     }
 }
@@ -324,11 +324,12 @@ mod tests {
     }
 
     #[test]
-    fn what_later_versions_note_is_kept_as_it_is() {
+    fn what_may_be_left_out_is_kept_as_it_is() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
         let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: u64::MAX };
         let mesh = catalogue::reference();
-        let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
+        let mut made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
+        made.result.sampled = Sampled::default();
         let text = write(&made.result, "a").unwrap();
         assert!(!text.contains("arrangement"), "{text}");
         let later = "arrangement: \"mirrored\", strata: [[0.25, 31.5], [0.75, 33.0]], \
@@ -336,7 +337,7 @@ mod tests {
         let text = format!("{},{later}", text.strip_suffix(')').unwrap());
         let result = read_back(&text).unwrap();
         assert_eq!(result.field.arrangement.as_deref(), Some("mirrored"));
-        assert_eq!(result.later.strata, Some(vec![vec![0.25, 31.5], vec![0.75, 33.0]]));
+        assert_eq!(result.sampled.strata, Some(vec![vec![0.25, 31.5], vec![0.75, 33.0]]));
         let again = write(&result, "a").unwrap();
         assert_eq!(read_back(&again).unwrap(), result);
         assert!(again.ends_with("fractiles:[[0.05,28.1,0.61]])"), "{again}");

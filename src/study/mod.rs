@@ -10,8 +10,9 @@
 //! Over checks, with the clocks and threads that the `dem` room knows nothing of:
 //!
 //! - [`clock`]: processor time and time on the wall.
-//! - [`ensemble`]: the same scene over random alignments and seeds, for mean and band; [`inputs`]:
-//!   the fingerprint of what one was made from.
+//! - [`ensemble`]: the same scene over alignments and seeds, for mean and band; [`sampling`]: where its
+//!   runs stand, and what that makes of mean and error; [`inputs`]: the fingerprint of what one was made
+//!   from.
 //! - [`blocks`]: the ensembles of the arrangements in which a layout's blocks may stand.
 //! - [`remark`]: what a check has to say of itself.
 //! - [`result`]: what a check leaves behind, and how one is made of a layout.
@@ -27,6 +28,7 @@ pub(crate) mod inputs;
 pub mod mend;
 pub mod remark;
 pub mod result;
+pub(crate) mod sampling;
 pub mod sensitivity;
 pub mod solve;
 pub mod sweep;

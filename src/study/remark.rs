@@ -7,8 +7,8 @@ use crate::remark::Weight;
 use crate::units::{significant, to_kn};
 use crate::words::Choice;
 
-/// Standard error of the force, over its mean, at which no more runs are made, and above which it is said.
-pub(crate) const TARGET: f64 = 0.02;
+/// Standard error above which it is said; so few runs may have been asked for.
+const UNCERTAIN: f64 = 0.02;
 
 /// What an ensemble tells of itself besides its figures.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -185,7 +185,7 @@ impl CheckRemark {
             CheckRemark::StandardError(part) => {
                 let known = match part {
                     Some(part) => format!("known to {} only (standard error)", percent(*part)),
-                    None => format!("not known to {:.0} %", 100.0 * TARGET),
+                    None => format!("not known to {:.0} %", 100.0 * UNCERTAIN),
                 };
                 format!("the mean force is {known}; more runs make it better")
             }
@@ -269,7 +269,7 @@ impl Facts<'_> {
             list.push(CheckRemark::DisplacementLimit(Some(unbroken)));
         }
         let alone = self.aligned || self.runs == 1;
-        if !alone && self.broken > 1 && self.force_error > TARGET {
+        if !alone && self.broken > 1 && self.force_error > UNCERTAIN {
             list.push(CheckRemark::StandardError(Some(self.force_error)));
         }
         let worst = self.error_estimate;
@@ -322,7 +322,7 @@ mod tests {
         let said = [
             Facts { slipped: 2, broken: 6, ..facts(none) },
             Facts { broken: 7, ..facts(none) },
-            // The aim is 2 %.
+            // Above 2 % it is said.
             Facts { force_error: 0.023, ..facts(none) },
             // Standard aims at 1 %.
             Facts { error_estimate: 0.021, ..facts(none) },

@@ -46,7 +46,7 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {
         form: "runs N|auto",
-        help: "runs of a check; auto: until the mean is known to 2 %",
+        help: "runs of a check; auto: until the mean is known to 1 %",
     },
     CommandHelp { form: "live on|off", help: "a quick check after each edit" },
     CommandHelp { form: "undo / redo", help: "the same as u and U" },

@@ -6,6 +6,7 @@ use crate::app::work::live::LIVE_RUNS;
 use crate::app::work::shown::Standing;
 use crate::dem::outcome::Quality;
 use crate::study::result::places::Places;
+use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
 use crate::units::{force_text, length_text, significant, to_kj, to_kn};
 use crate::words::Choice;
@@ -60,6 +61,12 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
                 ),
             );
         }
+    }
+    if let Some(force) = v.characteristic() {
+        page.row("characteristic force", &format!("{}; {CHARACTERISTIC}", force_text(force)));
+    }
+    if let Some(patterns) = sentence(&v.catches()) {
+        page.row("patterns", &patterns);
     }
     if let Some(arrangement) = &v.field.arrangement {
         page.row("blocks", &format!("{arrangement}, the lowest of the arrangements computed"));

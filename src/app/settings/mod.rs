@@ -96,7 +96,7 @@ impl SettingItem {
             SettingItem::Glyphs => "signs that charts are drawn with",
             SettingItem::Color => "colours: what the terminal takes, 16 or none",
             SettingItem::Fidelity => "how exactly a check by simulation computes",
-            SettingItem::Runs => "runs of a check; auto: 8 to 64, as needed",
+            SettingItem::Runs => "runs of a check; auto: 6 to 64, as needed",
             SettingItem::Live => "a quick check follows every edit",
             SettingItem::Tour => "the first-run tour; :tour shows it now",
         }

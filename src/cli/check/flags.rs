@@ -14,8 +14,9 @@ use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
 Runs: each has its own alignment of the net with anchors and punch and its own slack of the wires,
-because one alignment alone can be 25 % off. Without --runs at least 8 are made, and more until the
-standard error of the force is below 2 % or 64 are done. One plain run: --runs 1 --phase 0.25,0.125
+because one alignment alone can be 25 % off. Alignments are not drawn at random but placed: so many runs
+for each pattern of nodes that the plates can catch. Without --runs there are 6 to 64, as many as a
+standard error of the force of 1 % takes. One plain run: --runs 1 --phase 0.25,0.125
 
 Mesh file: net and wires of a mesh, RON, lengths in m, mass in kg, stresses in MPa:
   (
@@ -51,13 +52,13 @@ pub(crate) struct CheckArgs {
     /// Tensile curves and slack on the mesh's net: bench, yade, reference or those of a mesh file.
     #[arg(long, value_name = "LAW", help_heading = "Test")]
     pub(super) law: Option<String>,
-    /// Number of runs [default: 8 to 64, as many as needed].
+    /// Number of runs [default: 6 to 64, as many as needed].
     #[arg(long, value_name = "N", value_parser = runs, help_heading = "Runs")]
     runs: Option<usize>,
     /// Seed of alignments and slack.
     #[arg(long, value_name = "S", default_value_t = 0, help_heading = "Runs")]
     seed: u64,
-    /// Alignment of all runs, each part from 0, below 1, or a random one for each.
+    /// Alignment of all runs, each part from 0, below 1, or one of its own for each.
     #[arg(long, value_name = "X,Y|random", default_value = "random", value_parser = phase, help_heading = "Runs")]
     phase: Phase,
     /// Threads; the result does not depend on them [default: as many as the machine has].

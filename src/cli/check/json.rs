@@ -9,6 +9,7 @@ use crate::show::value::{Object, Value, exact, kn, word};
 use crate::study::blocks::{Stood, word as word_of};
 use crate::study::ensemble::{Run, Spread};
 use crate::study::result::WorstAnchor;
+use crate::study::result::sampled::Catch;
 use crate::units::to_kn;
 use crate::words::Choice;
 
@@ -40,12 +41,22 @@ fn one(c: &Checked) -> Object {
         .with("standard_deviation", both(broken > 1, |s| s.deviation))
         .with("slipped", e.slipped)
         .with("band", band)
+        .with("characteristic_F_kN", c.characteristic().map(kn))
+        .with("patterns", c.catches().into_iter().map(catch).collect::<Value>())
         .with("arrangement", c.test_is_anchored().then(|| word_of(c.arrangement)))
         .with("arrangement_words", c.test_is_anchored().then(|| c.words.clone()))
         .with("other_arrangements", c.others.iter().map(other).collect::<Value>())
         .with("worst_anchor", c.anchor().map(anchor))
         .with("forecast", maybe_pair(c.forecast.values.map(|v| (v.force, v.deflection))))
         .with("warnings", remarks.collect::<Value>())
+}
+
+/// On how much of the slope a plate catches how many nodes.
+fn catch(c: Catch) -> Object {
+    Object::new()
+        .with("nodes", c.nodes)
+        .with("part", c.part)
+        .with("F_kN", ends(c.force.map(|f| f.map(to_kn))))
 }
 
 /// Another arrangement that was simulated.

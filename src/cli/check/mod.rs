@@ -27,10 +27,11 @@ use crate::mesh::STANDARD_PUNCH;
 use crate::problem::Problem;
 use crate::project;
 use crate::study::blocks::{self, Stood};
-use crate::study::ensemble::{Ensemble, Plan, Run, counts};
+use crate::study::ensemble::{Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
-use crate::study::result::{WorstAnchor, anchors};
+use crate::study::result::sampled::{Catch, catches, characteristic};
+use crate::study::result::{WorstAnchor, worst_anchor};
 use std::sync::Arc;
 
 /// One case with its check.
@@ -69,8 +70,18 @@ impl Checked {
 
     /// The worst anchor of the runs that count.
     fn anchor(&self) -> Option<WorstAnchor> {
-        let counted: Vec<&Run> = self.ensemble.runs.iter().filter(|r| counts(r)).collect();
-        WorstAnchor::of(&anchors(&counted))
+        worst_anchor(&self.ensemble)
+    }
+
+    /// The force at the first break that 5 % fall below, N.
+    fn characteristic(&self) -> Option<f64> {
+        let anchored = self.test_is_anchored();
+        characteristic(&self.ensemble, self.counted()).filter(|_| anchored)
+    }
+
+    /// On how much of the slope a plate catches how many nodes.
+    fn catches(&self) -> Vec<Catch> {
+        catches(&self.ensemble)
     }
 
     /// How many anchors carry 90 % of the force, of each run with a break.

@@ -11,7 +11,8 @@ use crate::forecast::CURVE_POINTS;
 use crate::layout::Blocks;
 use crate::show::say;
 use crate::study::blocks::word;
-use crate::study::ensemble::Run;
+use crate::study::ensemble::{Run, weighted_mean};
+use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::units::{LengthUnit, force_text, length_entry, length_text, significant, to_kj, to_kn};
 use crate::words::Choice;
 
@@ -151,8 +152,17 @@ fn side_by_side(page: &mut Page, c: &Checked) {
             format!("{} to {}", length(near), length(far)),
         );
     }
+    if let Some(force) = c.characteristic() {
+        row("  characteristic, 5 %", force_text(force), String::new());
+    }
     if counted > 0 {
         row("  peak, mean", force_text(e.peak[0]), length(e.peak[1]));
+    }
+    if let Some(text) = sentence(&c.catches()) {
+        page.line("patterns", text);
+    }
+    if c.characteristic().is_some() {
+        page.line("5 % point", CHARACTERISTIC);
     }
     blocks(page, c);
 }
@@ -249,8 +259,8 @@ fn runs(page: &mut Page, c: &Checked) {
     } else {
         String::new()
     };
-    let runs = &c.ensemble.runs;
-    let energy = runs.iter().map(|r| r.outcome.energy).sum::<f64>() / runs.len().max(1) as f64;
+    let runs: Vec<&Run> = c.ensemble.runs.iter().collect();
+    let energy = weighted_mean(&c.ensemble.sample, &runs, &|run| run.outcome.energy);
     let text =
         format!("{stiffness}{} kJ absorbed to the first break", significant(to_kj(energy), 3));
     page.line("means", text);

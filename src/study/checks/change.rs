@@ -9,7 +9,7 @@
 use super::utilisation;
 use crate::forecast::design::Question;
 use crate::study::remark::CheckFlag;
-use crate::study::result::CheckResult;
+use crate::study::result::{CheckResult, FirstBreak};
 
 /// A change with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,24 +55,29 @@ pub(crate) fn change(
         return None;
     }
     let paired = paired(from, to);
-    let force = |v: &CheckResult| v.breaks.iter().map(|b| b.at.force).collect::<Vec<f64>>();
-    let deflection =
-        |v: &CheckResult| v.breaks.iter().map(|b| b.at.deflection).collect::<Vec<f64>>();
-    let (forces, deflections) = ([force(from), force(to)], [deflection(from), deflection(to)]);
-    let error = |values: &[Vec<f64>; 2], slopes| error_of(values, slopes, paired);
+    let values = |of: fn(&FirstBreak) -> f64| {
+        [from, to].map(|v| v.breaks.iter().map(of).collect::<Vec<f64>>())
+    };
+    let weights = from.sampled.weights(from.breaks.len());
+    let error = |values: [Vec<f64>; 2], apart: [f64; 2], slopes| match paired {
+        true => error_of_pairs(&values, &weights, slopes),
+        false => error_apart([from, to], apart, slopes),
+    };
+    let of_force =
+        |slopes| error(values(|b| b.at.force), [from.force.error, to.force.error], slopes);
+    let apart = [from.deflection.error, to.deflection.error];
     let [before, after] = [from.force.mean, to.force.mean];
     let used = |force: f64| utilisation(question, force);
     Some(CheckChange {
-        force: KnownValue { value: after - before, error: error(&forces, [1.0, 1.0]) },
+        force: KnownValue { value: after - before, error: of_force([1.0, 1.0]) },
         deflection: KnownValue {
             value: to.deflection.mean - from.deflection.mean,
-            error: error(&deflections, [1.0, 1.0]),
+            error: error(values(|b| b.at.deflection), apart, [1.0, 1.0]),
         },
         // Utilisation is some load over the force: to the first order it moves by -u/F a newton.
-        utilisation: used(before).zip(used(after)).map(|(u, v)| KnownValue {
-            value: v - u,
-            error: error(&forces, [u / before, v / after]),
-        }),
+        utilisation: used(before)
+            .zip(used(after))
+            .map(|(u, v)| KnownValue { value: v - u, error: of_force([u / before, v / after]) }),
         force_part: after / before - 1.0,
         deflection_part: to.deflection.mean / from.deflection.mean - 1.0,
         paired,
@@ -85,30 +90,29 @@ fn paired(a: &CheckResult, b: &CheckResult) -> bool {
         let cut = [CheckFlag::Cancelled, CheckFlag::Diverged].iter().any(|f| v.flags.contains(f));
         !cut && v.slipped == 0 && v.breaks.len() == v.runs
     };
-    whole(a) && whole(b) && a.runs == b.runs && a.wanted == b.wanted
+    let stand = |v: &CheckResult| v.sampled.weights(v.breaks.len());
+    whole(a) && whole(b) && a.runs == b.runs && a.wanted == b.wanted && stand(a) == stand(b)
 }
 
-/// Standard error of slope 1 times the second mean less slope 0 times the first.
-fn error_of(values: &[Vec<f64>; 2], slopes: [f64; 2], paired: bool) -> Option<f64> {
+/// Standard error of slope 1 times the second mean less slope 0 times the first, from pairs of runs. The
+/// pairs count as if they were drawn at random, which is rather too much than too little.
+fn error_of_pairs(values: &[Vec<f64>; 2], weights: &[f64], slopes: [f64; 2]) -> Option<f64> {
     let [from, to] = values;
-    if paired {
-        let pairs: Vec<f64> =
-            from.iter().zip(to).map(|(a, b)| slopes[1] * b - slopes[0] * a).collect();
-        return error_of_mean(&pairs);
-    }
-    let (a, b) = (error_of_mean(from)?, error_of_mean(to)?);
-    Some((slopes[0] * a).hypot(slopes[1] * b))
-}
-
-/// Standard error of the mean of some values; nothing for a single one.
-fn error_of_mean(values: &[f64]) -> Option<f64> {
-    let n = values.len() as f64;
-    if values.len() < 2 {
+    let pairs: Vec<f64> = from.iter().zip(to).map(|(a, b)| slopes[1] * b - slopes[0] * a).collect();
+    if pairs.len() < 2 {
         return None;
     }
-    let mean = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|v| (v - mean) * (v - mean)).sum();
-    Some((squares / (n - 1.0) / n).sqrt())
+    let n = pairs.len() as f64;
+    let mean = pairs.iter().sum::<f64>() / n;
+    let squares: f64 = pairs.iter().map(|v| (v - mean) * (v - mean)).sum();
+    let shares: f64 = weights.iter().map(|w| w * w).sum();
+    Some((squares / (n - 1.0) * shares).sqrt())
+}
+
+/// The same from two results that know nothing of each other, with these standard errors.
+fn error_apart(both: [&CheckResult; 2], errors: [f64; 2], slopes: [f64; 2]) -> Option<f64> {
+    let known = both.iter().all(|v| v.breaks.len() > 1);
+    known.then(|| (slopes[0] * errors[0]).hypot(slopes[1] * errors[1]))
 }
 
 #[cfg(test)]
@@ -125,12 +129,14 @@ mod tests {
         // Differences 1, 2, 3: mean 2, variance 1, error 1/sqrt 3.
         let values = [vec![10.0, 20.0, 30.0], vec![11.0, 22.0, 33.0]];
         let close = |a: Option<f64>, b: f64| (a.unwrap() - b).abs() < 1e-12;
-        assert!(close(error_of(&values, [1.0, 1.0], true), (1.0_f64 / 3.0).sqrt()));
+        let equal = [1.0 / 3.0; 3];
+        assert!(close(error_of_pairs(&values, &equal, [1.0, 1.0]), (1.0_f64 / 3.0).sqrt()));
         // Twice the first: -9, -18, -27 have the error 9/sqrt 3.
-        assert!(close(error_of(&values, [2.0, 1.0], true), (81.0_f64 / 3.0).sqrt()));
-        // Alone: errors 10/sqrt 3 and 11/sqrt 3.
-        assert!(close(error_of(&values, [1.0, 1.0], false), (221.0_f64 / 3.0).sqrt()));
-        assert_eq!(error_of(&[vec![1.0], vec![2.0]], [1.0, 1.0], true), None);
+        assert!(close(error_of_pairs(&values, &equal, [2.0, 1.0]), (81.0_f64 / 3.0).sqrt()));
+        // Weights 1/2, 1/4, 1/4: squares of 3/8 together.
+        let uneven = [0.5, 0.25, 0.25];
+        assert!(close(error_of_pairs(&values, &uneven, [1.0, 1.0]), 0.375_f64.sqrt()));
+        assert_eq!(error_of_pairs(&[vec![1.0], vec![2.0]], &[1.0], [1.0, 1.0]), None);
         let known = |value, error| KnownValue { value, error };
         assert!(known(1.0, Some(0.6)).doubtful() && !known(-1.3, Some(0.6)).doubtful());
         assert!(known(1.0, None).doubtful());
@@ -144,7 +150,8 @@ mod tests {
         let both = checks(&cases, &wanted, 1, &|_| Flow::Continue);
         let [a, b] = [both[0].as_ref().unwrap(), both[1].as_ref().unwrap()];
         let c = change(a, b, &base.question).unwrap();
-        assert!(c.paired);
+        // Another spacing, another net under the plates: the errors are those of two means.
+        assert!(!c.paired);
         assert_eq!(c.force.value, b.force.mean - a.force.mean);
         assert_eq!(c.deflection.value, b.deflection.mean - a.deflection.mean);
         assert!((c.force_part - (b.force.mean / a.force.mean - 1.0)).abs() < 1e-15);
@@ -155,6 +162,10 @@ mod tests {
         // The same against itself: nothing moves, and that is certain.
         let none = change(a, a, &base.question).unwrap();
         assert_eq!((none.force, none.paired), (KnownValue { value: 0.0, error: Some(0.0) }, true));
+        // The same plates in the same net: pairs of runs.
+        let bigger = checks(&[base.with(Input::Punch, 0.45)], &wanted, 1, &|_| Flow::Continue);
+        let pairs = change(a, bigger[0].as_ref().unwrap(), &base.question).unwrap();
+        assert!(pairs.paired && pairs.force.error.unwrap() > 0.0);
         // Where a run is cut off the pairs are not known, and the errors add up.
         let mut cut = b.clone();
         cut.flags.push(CheckFlag::Cancelled);

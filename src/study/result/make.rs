@@ -2,7 +2,7 @@
 
 use super::relief::Relief;
 use super::{CheckResult, Wanted};
-use crate::dem::{Arrangement, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Flow, PLAIN_PHASE, Scene, SceneSpec, Test};
 use crate::fingerprint::Fingerprint;
 use crate::layout::{Blocks, Layout};
 use crate::mesh::MeshType;
@@ -11,6 +11,7 @@ use crate::problem::Problem;
 use crate::study::blocks;
 use crate::study::ensemble::{EnsembleProgress, Run};
 use crate::study::inputs::of_ensemble;
+use crate::study::sampling::Sample;
 
 /// What a check tells while it runs.
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +60,21 @@ pub fn wires(mesh: &MeshType) -> Result<&WireData, Vec<Problem>> {
 /// Fingerprint of all inputs of a layout's check.
 pub fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerprint {
     of_ensemble(&spec(layout, wire, wanted), &wanted.controls(), &wanted.plan(1))
+}
+
+/// Where the runs of a layout's check stand.
+///
+/// # Errors
+/// What is wrong with the layout or its wires.
+pub(crate) fn sample(
+    layout: &Layout,
+    wire: &WireData,
+    wanted: &Wanted,
+) -> Result<Sample, Vec<Problem>> {
+    let spec = spec(layout, wire, wanted);
+    let arrangement = blocks::arrangements(layout).into_iter().next().unwrap_or_default();
+    let scene = Scene::new(&SceneSpec { arrangement, ..spec })?;
+    Ok(Sample::of(&scene, &wanted.plan(1)))
 }
 
 /// Checks a layout. `tell` is called from several threads and may end it; what is done by then is kept.

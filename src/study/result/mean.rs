@@ -9,7 +9,8 @@
 use super::rounded;
 use crate::curve::{Curve, Point};
 use crate::dem::RunOutcome;
-use crate::study::ensemble::{Run, Spread};
+use crate::study::ensemble::{Run, weighted_mean};
+use crate::study::sampling::{self, Placed, Sample};
 use crate::units::{from_kn, to_kn};
 
 /// Most points of a mean curve.
@@ -19,28 +20,28 @@ const BEFORE: usize = 49;
 
 /// Mean curve of the runs that broke, or where none did of all, each up to its peak; and its band,
 /// empty where there is only one run.
-pub(crate) fn curve(runs: &[&Run]) -> (Curve, [Vec<f64>; 2]) {
-    let broke: Vec<&RunOutcome> =
-        runs.iter().map(|run| &run.outcome).filter(|o| o.first_break.is_some()).collect();
+pub(crate) fn curve(runs: &[&Run], sample: &Sample) -> (Curve, [Vec<f64>; 2]) {
+    let broke: Vec<&Run> =
+        runs.iter().copied().filter(|run| run.outcome.first_break.is_some()).collect();
     let slipped = broke.is_empty();
-    let taken = if slipped { runs.iter().map(|run| &run.outcome).collect() } else { broke };
+    let taken: Vec<&Run> = if slipped { runs.to_vec() } else { broke };
     let mut points = Vec::with_capacity(POINTS);
     let (mut low, mut high) = (Vec::new(), Vec::new());
     for k in 0..BEFORE {
         let part = k as f64 / (BEFORE - 1) as f64;
-        let at: Vec<Point> = taken.iter().map(|o| on_its_way(o, part)).collect();
-        let forces: Vec<f64> = at.iter().map(|p| p.force).collect();
-        let force = Spread::of(&forces, &forces);
-        let deflection = at.iter().map(|p| p.deflection).sum::<f64>() / at.len().max(1) as f64;
+        let at = |run: &Run| on_its_way(&run.outcome, part);
+        let forces: Vec<Placed> = taken.iter().map(|run| run.placed(at(run).force)).collect();
+        let force = sampling::figures(sample, &forces, &forces);
+        let deflection = weighted_mean(sample, &taken, &|run| at(run).deflection);
         points.push(Point { deflection, force: force.mean });
         low.push(force.band[0]);
         high.push(force.band[1]);
     }
     let end = points.last().copied();
     if let [one] = taken.as_slice()
-        && let Some(first) = one.first_break
+        && let Some(first) = one.outcome.first_break
     {
-        points.extend(behind(one, first));
+        points.extend(behind(&one.outcome, first));
     }
     let newton = |v: f64| from_kn(rounded(to_kn(v)));
     let mut curve = Curve::default();

@@ -4,6 +4,7 @@
 //!
 //! - [`make`]: a layout's ensemble, watched from outside, and its result.
 //! - [`revisions`]: which solver and sampling made it.
+//! - [`sampled`]: where its runs stood among all alignments, and what each weighs.
 //! - [`mean`]: the mean curve and its band; [`places`]: where wires broke first; [`relief`]: the shape of the deformed net.
 //!
 //! The numbers are rounded to [`DIGITS`] significant digits when a result is made, in the units in
@@ -14,8 +15,9 @@ pub(crate) mod mean;
 pub(crate) mod places;
 pub mod relief;
 pub(crate) mod revisions;
+pub mod sampled;
 
-use super::ensemble::{Ensemble, Plan, Run, Spread, counts};
+use super::ensemble::{Ensemble, Plan, Run, Spread, counts, weighted_mean, weights};
 use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::curve::{Curve, Point};
 use crate::dem::lattice::Role;
@@ -24,6 +26,8 @@ use crate::dem::{Controls, Fidelity};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
 pub use revisions::Revisions;
+use sampled::Catch;
+pub use sampled::Sampled;
 
 /// Significant digits of the numbers of a result; the method is good for three.
 pub(crate) const DIGITS: usize = 5;
@@ -69,16 +73,6 @@ pub struct FirstBreak {
     pub twist: bool,
 }
 
-/// What later versions of the program note of a check. This one makes none of it and reads nothing
-/// from it, but keeps it, as it stands in the file, with the check that it belongs to.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Later {
-    /// Figures of each class of alignments.
-    pub strata: Option<Vec<Vec<f64>>>,
-    /// Fractiles of the results, such as 5 % and 95 %.
-    pub fractiles: Option<Vec<Vec<f64>>>,
-}
-
 /// How the blocks stood, and what that did to the anchors.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FieldFigures {
@@ -92,7 +86,7 @@ pub struct FieldFigures {
 /// Force on an anchor, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstAnchor {
-    /// Mean over the runs of the part out of the plane of the net.
+    /// Mean over all alignments of the part out of the plane of the net.
     pub normal: f64,
     /// Mean of the part in the plane.
     pub in_plane: f64,
@@ -101,10 +95,10 @@ pub struct WorstAnchor {
 }
 
 impl WorstAnchor {
-    /// Of the forces of some runs, as [`FieldFigures::anchors`] has them; nothing of none.
-    pub(crate) fn of(anchors: &[[f64; 2]]) -> Option<WorstAnchor> {
-        let n = anchors.len() as f64;
-        let mean = |k: usize| anchors.iter().map(|a| a[k]).sum::<f64>() / n;
+    /// Of the forces of some runs, as [`FieldFigures::anchors`] has them, and what each weighs; nothing of
+    /// none.
+    pub(crate) fn of(anchors: &[[f64; 2]], weights: &[f64]) -> Option<WorstAnchor> {
+        let mean = |k: usize| anchors.iter().zip(weights).map(|(a, w)| w * a[k]).sum::<f64>();
         let largest = anchors.iter().map(|a| a[0].hypot(a[1])).fold(0.0, f64::max);
         (!anchors.is_empty()).then(|| WorstAnchor { normal: mean(0), in_plane: mean(1), largest })
     }
@@ -150,8 +144,8 @@ pub struct CheckResult {
     pub flags: Vec<CheckFlag>,
     /// How the blocks stood, and the anchors' forces.
     pub field: FieldFigures,
-    /// What another version noted.
-    pub later: Later,
+    /// Where its runs stood, and the points of the distribution.
+    pub sampled: Sampled,
 }
 
 impl CheckResult {
@@ -162,7 +156,7 @@ impl CheckResult {
         inputs: Fingerprint,
     ) -> CheckResult {
         let runs: Vec<&Run> = ensemble.runs.iter().filter(|run| counts(run)).collect();
-        let (curve, band) = mean::curve(&runs);
+        let (curve, band) = mean::curve(&runs, &ensemble.sample);
         let force = |v: f64| from_kn(rounded(to_kn(v)));
         let spread = |s: &Spread, round: &dyn Fn(f64) -> f64| Spread {
             mean: round(s.mean),
@@ -178,7 +172,7 @@ impl CheckResult {
                 twist: first.role == Role::Twist,
             })
         });
-        let energy: f64 = runs.iter().map(|run| run.outcome.energy).sum();
+        let energy = weighted_mean(&ensemble.sample, &runs, &|run| run.outcome.energy);
         CheckResult {
             wanted: wanted.clone(),
             inputs,
@@ -189,7 +183,7 @@ impl CheckResult {
             deflection: spread(&ensemble.deflection, &rounded),
             peak: Point { force: force(ensemble.peak[0]), deflection: rounded(ensemble.peak[1]) },
             k75: force(ensemble.k75),
-            energy: rounded(energy / runs.len().max(1) as f64),
+            energy: rounded(energy),
             breaks: breaks.collect(),
             curve,
             band,
@@ -199,18 +193,36 @@ impl CheckResult {
                 arrangement: None,
                 anchors: anchors(&runs).into_iter().map(|parts| parts.map(&force)).collect(),
             },
-            later: Later::default(),
+            sampled: Sampled::of(ensemble, &runs),
         }
     }
 
     /// The worst anchor of its runs.
     pub fn anchor(&self) -> Option<WorstAnchor> {
-        WorstAnchor::of(&self.field.anchors)
+        let anchors = &self.field.anchors;
+        let weights = match anchors.len() == self.breaks.len() {
+            true => self.sampled.weights(anchors.len()),
+            false => Sampled::default().weights(anchors.len()),
+        };
+        WorstAnchor::of(anchors, &weights)
     }
 
     /// The force of the worst anchor over that on a block, at the first break.
     pub(crate) fn anchor_share(&self) -> Option<f64> {
         Some(self.anchor()?.size() / self.force.mean)
+    }
+
+    /// The force at the first break that 5 % of all alignments and slacks fall below, N; in results of
+    /// older programs the lower end of the band. Nothing for a single run.
+    pub(crate) fn characteristic(&self) -> Option<f64> {
+        let band = || (self.broke() && self.runs > 1).then_some(self.force.band[0]);
+        self.sampled.characteristic().or_else(band)
+    }
+
+    /// On how much of the slope a plate catches how many nodes.
+    pub(crate) fn catches(&self) -> Vec<Catch> {
+        let forces: Vec<f64> = self.breaks.iter().map(|b| b.at.force).collect();
+        self.sampled.catches(&forces)
     }
 
     /// Whether the check was ended before all its runs were made.
@@ -250,8 +262,15 @@ impl CheckResult {
 }
 
 /// The worst anchor's force of each run that has one, out of the plane and in it, N.
-pub(crate) fn anchors(runs: &[&Run]) -> Vec<[f64; 2]> {
+fn anchors(runs: &[&Run]) -> Vec<[f64; 2]> {
     runs.iter().filter_map(|run| Some(run.outcome.worst_anchor()?.parts())).collect()
+}
+
+/// The worst anchor of the runs of an ensemble that count.
+pub(crate) fn worst_anchor(ensemble: &Ensemble) -> Option<WorstAnchor> {
+    let there = |run: &&Run| counts(run) && run.outcome.worst_anchor().is_some();
+    let runs: Vec<&Run> = ensemble.runs.iter().filter(there).collect();
+    WorstAnchor::of(&anchors(&runs), &weights(&ensemble.sample, &runs))
 }
 
 /// The worst of each figure.

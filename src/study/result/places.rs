@@ -58,7 +58,7 @@ mod tests {
     use crate::fingerprint::Fingerprint;
     use crate::layout::REFERENCE;
     use crate::study::ensemble::Spread;
-    use crate::study::result::{FieldFigures, FirstBreak, Later, Revisions, Wanted};
+    use crate::study::result::{FieldFigures, FirstBreak, Revisions, Sampled, Wanted};
 
     #[test]
     fn places_are_told_apart_across_the_edge_too() {
@@ -82,7 +82,7 @@ mod tests {
             quality: Quality::default(),
             flags: Vec::new(),
             field: FieldFigures::default(),
-            later: Later::default(),
+            sampled: Sampled::default(),
         };
         let p = Places::from_result(&result, &REFERENCE);
         assert_eq!((p.plate, p.punch, p.between, p.twists), (1, 1, 2, 2));

@@ -48,10 +48,13 @@ mod tests {
     use super::*;
     use crate::curve::{Curve, Point};
     use crate::dem::outcome::{Cost, Quality};
-    use crate::dem::{RunOutcome, Stop};
+    use crate::dem::{Arrangement, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test};
     use crate::fingerprint::{Fingerprint, Fingerprinter};
+    use crate::layout::REFERENCE;
+    use crate::mesh::laws;
     use crate::study::ensemble::{Plan, Run};
     use crate::study::result::{CheckResult, Wanted};
+    use crate::study::sampling::{Member, Sample};
 
     #[test]
     fn what_is_written_is_read_and_what_cannot_be_read_is_never_current() {
@@ -67,10 +70,22 @@ mod tests {
         assert_ne!(Revisions::CURRENT, Revisions::UNKNOWN);
     }
 
-    /// A run with this seed as the solver might have made it, in round numbers.
-    fn canned(k: usize) -> Run {
-        let plan = Plan::default();
-        let (seed, phase) = ensemble::draw(&plan, k);
+    /// Where the runs of the reference layout stand under a plan.
+    fn sample(plan: &Plan) -> Sample {
+        let spec = SceneSpec {
+            layout: REFERENCE,
+            test: Test::Anchored,
+            wire: laws::reference(),
+            phase: PLAIN_PHASE,
+            seed: 0,
+            arrangement: Arrangement::default(),
+        };
+        Sample::of(&Scene::new(&spec).unwrap(), plan)
+    }
+
+    /// A run of these as the solver might have made it, in round numbers.
+    fn canned(sample: &Sample, k: usize) -> Run {
+        let Member { seed, phase, pattern } = sample.member(k);
         let at = |part: f64| Point {
             deflection: 0.3 * part + 0.01 * k as f64,
             force: 20_000.0 * part * part + 500.0 * (k % 3) as f64,
@@ -99,7 +114,7 @@ mod tests {
             net: None,
             anchors: Vec::new(),
         };
-        Run { seed, phase, outcome, wall: 0.0, processor: 0.0 }
+        Run { seed, phase, pattern, outcome, wall: 0.0, processor: 0.0 }
     }
 
     /// The draws of the first runs, and the figures of an ensemble of canned ones.
@@ -108,8 +123,8 @@ mod tests {
         let mut lines: Vec<String> = [(Plan::default(), 0), (Plan::default(), 1), (seeded, 2)]
             .iter()
             .map(|(plan, k)| {
-                let (seed, [x, y]) = ensemble::draw(plan, *k);
-                format!("run {k}: seed {seed:016x}, phase {x:?} {y:?}")
+                let Member { seed, phase: [x, y], pattern } = sample(plan).member(*k);
+                format!("run {k}: seed {seed:016x}, phase {x:?} {y:?}, pattern {pattern:?}")
             })
             .collect();
         lines.push(format!(
@@ -119,7 +134,9 @@ mod tests {
             ensemble::TARGET
         ));
         for runs in [1, 7] {
-            let ensemble = ensemble::summary((0..runs).map(canned).collect());
+            let sample = sample(&Plan { runs: Some(runs), ..Plan::default() });
+            let made = (0..runs).map(|k| canned(&sample, k)).collect();
+            let ensemble = ensemble::summary(made, sample);
             let r = CheckResult::from_ensemble(&ensemble, &Wanted::default(), Fingerprint(0));
             let mut print = Fingerprinter::new("sampling");
             for s in [&r.force, &r.deflection] {
@@ -139,14 +156,14 @@ mod tests {
     #[test]
     fn draws_and_figures_are_those_of_the_revision() {
         let held = (
-            1,
+            2,
             [
-                "run 0: seed 46b73e79f0c37c00, phase 0.4178992858159106 0.483002616217153",
-                "run 1: seed 5c46c78d48c94041, phase 0.13640499407381856 0.5309369862706976",
-                "run 2: seed 33522a3411c16a04, phase 0.2545977464763325 0.06136757785155589",
-                "8 to 64 runs, to 0.02",
+                "run 0: seed 46b73e79f0c37c00, phase 0.21332834766444012 0.6212039176218308, pattern Some(0)",
+                "run 1: seed 5c46c78d48c94041, phase 0.5875942306863058 0.6319092602671225, pattern Some(0)",
+                "run 2: seed 33522a3411c16a04, phase 0.14038699342609526 0.27703875905351427, pattern Some(1)",
+                "8 to 64 runs, to 0.01",
                 "1 of 1 runs: 6ac85b5911eef6a0",
-                "6 of 7 runs: b75184bc35fd533c",
+                "6 of 7 runs: 6809f9d4417cfbbf",
             ],
         );
         let now = exact();

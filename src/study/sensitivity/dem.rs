@@ -134,7 +134,10 @@ mod tests {
             assert_eq!((&bar.lowered.answer, &bar.raised.answer), (&answers[low], &answers[high]));
             assert_eq!(bar.raised.value, input.value(&cases[high]));
             let change = bar.raised.change.unwrap();
-            assert!(change.paired && change.utilisation.is_some(), "{input:?}");
+            assert!(change.utilisation.is_some(), "{input:?}");
+            // Another punch leaves the plates and the net as they are; another plate, spacing or an offset
+            // gives other patterns of caught nodes.
+            assert_eq!(change.paired, input == Input::Punch, "{input:?}");
         }
         for input in [Input::LabForce, Input::LabDeflection] {
             let bar = s.bar(input).unwrap();

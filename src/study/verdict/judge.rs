@@ -295,10 +295,7 @@ impl Panel<'_> {
                 [Some(mean), Some(mean * characteristic_part(punch))]
             }
             Panel::Check(result) if !result.broke() => [None; 2],
-            Panel::Check(result) => {
-                let low = (result.runs > 1).then_some(result.force.band[0]);
-                [Some(result.force.mean), low]
-            }
+            Panel::Check(result) => [Some(result.force.mean), result.characteristic()],
         }
     }
 

@@ -10,7 +10,7 @@
 //!   its first break, else 1 by statics, and where blocks face each other an upper bound, the estimate.
 //!
 //! The capacity is the mean, or the characteristic value: of the forecast F_a (1 - 1.645 V), of a check
-//! the lower end of its band. Both are given; the basis says which one decides. Where a check by
+//! the 5 % point of the distribution over alignments and slacks. Both are given; the basis says which one decides. Where a check by
 //! simulation stands for the inputs as they are, it is judged beside the forecast and the larger use
 //! counts. What is left out by all this (the scatter of a mesh's production, sliding of the block, the
 //! puncture at a plate) is why no word here is "safe".

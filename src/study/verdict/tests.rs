@@ -8,7 +8,7 @@ use crate::fingerprint::Fingerprint;
 use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::study::ensemble::Spread;
 use crate::study::mend::{Mend, mend};
-use crate::study::result::{FieldFigures, Later, Revisions, Wanted};
+use crate::study::result::{FieldFigures, Revisions, Sampled, Wanted};
 
 /// Double twist 8x10, d 0.25, D 0.6 m, 20 kN, 0.4 m allowed.
 fn job(spacing: f64) -> Case {
@@ -50,7 +50,7 @@ fn check(force: f64, band: [f64; 2], runs: usize) -> CheckResult {
         quality: Quality::default(),
         flags: Vec::new(),
         field: FieldFigures::default(),
-        later: Later::default(),
+        sampled: Sampled::default(),
     }
 }
 
