@@ -93,6 +93,39 @@ impl Choice for PunchShape {
     }
 }
 
+/// Which relations a forecast takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum MethodChoice {
+    /// Those of the paper, with the map that stands for its Fig. A1.
+    #[default]
+    #[serde(rename = "pol-gabrieli-2021")]
+    Published,
+    /// Those derived from simulations of the blocks as they stand.
+    #[serde(rename = "derived")]
+    Derived,
+}
+
+impl Choice for MethodChoice {
+    const ALL: &'static [MethodChoice] = &[MethodChoice::Published, MethodChoice::Derived];
+
+    fn word(self) -> &'static str {
+        match self {
+            MethodChoice::Published => "pol-gabrieli-2021",
+            MethodChoice::Derived => "derived",
+        }
+    }
+}
+
+impl MethodChoice {
+    /// The other one.
+    pub(crate) fn other(self) -> MethodChoice {
+        match self {
+            MethodChoice::Published => MethodChoice::Derived,
+            MethodChoice::Derived => MethodChoice::Published,
+        }
+    }
+}
+
 /// What a grid of anchors has besides one spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
@@ -127,8 +160,10 @@ pub struct Layout {
     pub ex: f64,
     /// The same up the slope, e_y, m.
     pub ey: f64,
-    /// How the blocks of other cells stand; the forecast takes it for what the paper had.
+    /// How the blocks of other cells stand; the published forecast takes it for what the paper had.
     pub blocks: Blocks,
+    /// Which relations the forecast takes; nothing to a check.
+    pub method: MethodChoice,
     /// What the grid has besides the spacing.
     pub grid: Grid,
     /// What the punch looks like; the check's alone, published relations know the dome only.
@@ -144,6 +179,7 @@ pub const REFERENCE: Layout = Layout {
     ex: 0.0,
     ey: 0.0,
     blocks: Blocks::Paper,
+    method: MethodChoice::Published,
     grid: Grid::SQUARE,
     shape: PunchShape::Dome,
 };

@@ -220,6 +220,10 @@ impl App {
                 let said = self.editor.set_twists(self.layout().layout.grid.twists.other());
                 self.inform(said);
             }
+            Action::Method => {
+                let said = self.editor.toggle_method();
+                self.inform(said);
+            }
             Action::Units => self.editor.set_units(self.units().other()),
             Action::Basis => {
                 let said = self.editor.set_basis(self.project().basis.other());

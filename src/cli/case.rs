@@ -7,7 +7,7 @@ use super::output::Fault;
 use super::quantity;
 use crate::case::input::LX;
 use crate::case::{Case, Input};
-use crate::layout::{Blocks, BranchRule, PunchShape, REFERENCE, Twists};
+use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, REFERENCE, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
 use crate::project::{self, NamedLayout, Project};
@@ -105,6 +105,9 @@ pub(crate) struct Geometry {
     /// How the blocks of other cells stand: as the paper had it, or (worst) the lower of repeated and mirrored; single: there are none.
     #[arg(long, value_name = "BLOCKS", value_parser = one_of(Blocks::ALL))]
     blocks: Option<Blocks>,
+    /// Relations of the forecast: the paper's, or those derived from simulations of the blocks as they stand.
+    #[arg(long, value_name = "METHOD", value_parser = one_of(MethodChoice::ALL))]
+    method: Option<MethodChoice>,
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.
     #[arg(long, value_name = "ID")]
     mesh: Option<String>,
@@ -239,6 +242,7 @@ impl Inputs {
         grid.twists = self.geometry.twists.unwrap_or(grid.twists);
         entry.layout.shape = self.geometry.shape.unwrap_or(entry.layout.shape);
         entry.layout.blocks = self.geometry.blocks.unwrap_or(entry.layout.blocks);
+        entry.layout.method = self.geometry.method.unwrap_or(entry.layout.method);
         entry.branch = self.branch.unwrap_or(entry.branch);
         if let Some(id) = &self.geometry.mesh {
             entry.mesh.clone_from(id);

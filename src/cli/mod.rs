@@ -3,7 +3,7 @@
 //! - [`flags`]: flags of the interactive program; [`quantity`]: lengths, forces and factors.
 //! - [`forecast`], [`check`], [`mesh`], [`new`], [`export`], [`report`]: the subcommands;
 //!   [`interactive`]: none of them; [`lab`]: those of the makers, `bench`, `calibrate`,
-//!   `campaign`, `derive`, `validate`.
+//!   `campaign`, `derive`, `held-out`, `validate`.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
 //!   forecasts of the first three.
 //! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
@@ -101,6 +101,7 @@ enum Command {
     Calibrate(lab::calibrate::CalibrateArgs),
     Campaign(lab::campaign::CampaignArgs),
     Derive(lab::derive::DeriveArgs),
+    HeldOut(lab::held_out::HeldOutArgs),
     Bench(lab::bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(lab::validate::ValidateArgs),
@@ -154,6 +155,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Calibrate(args) => lab::calibrate::run(&args),
         Command::Campaign(args) => lab::campaign::run(&args),
         Command::Derive(args) => lab::derive::run(&args),
+        Command::HeldOut(args) => lab::held_out::run(&args),
         Command::Bench(args) => lab::bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => lab::validate::run(&args),

@@ -3,7 +3,7 @@
 use super::ExportedLayout;
 use crate::case::Input;
 use crate::case::input::Missing;
-use crate::layout::{Blocks, BranchRule, PunchShape, Twists};
+use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, Twists};
 use crate::mesh::catalogue;
 use crate::units::{Quantity, from_kn, shortest, to_kn};
 use crate::words::Choice;
@@ -48,6 +48,9 @@ pub(crate) fn from_numbers(case: &ExportedLayout) -> Option<String> {
     }
     if case.layout.blocks != Blocks::default() {
         words.push(format!("--blocks {}", case.layout.blocks.word()));
+    }
+    if case.layout.method != MethodChoice::default() {
+        words.push(format!("--method {}", case.layout.method.word()));
     }
     words.push(format!("--mesh {}", quoted(&case.mesh.id)));
     if case.rule != BranchRule::default() {

@@ -138,8 +138,16 @@ mod tests {
     /// A panel of 20 kN at 0.5 m.
     fn panel() -> Field {
         let branch = Branch::LargePunch;
-        let values = Values { force: 20_000.0, deflection: 0.5 }.into();
-        Field { values, regime: branch, branch, other_branch: None }
+        let values = Values::new(20_000.0, 0.5).into();
+        Field {
+            values,
+            regime: branch,
+            branch,
+            other_branch: None,
+            method: None,
+            published: None,
+            variation: 0.07,
+        }
     }
 
     fn at(force: f64, deflection: Option<f64>) -> AtForce {

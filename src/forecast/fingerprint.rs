@@ -2,7 +2,7 @@
 
 use super::design::Question;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
-use crate::layout::{BranchRule, Layout, Twists};
+use crate::layout::{BranchRule, Layout, MethodChoice, Twists};
 use crate::mesh::MeshType;
 use crate::words::Choice;
 
@@ -31,6 +31,8 @@ pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> F
         .with("stagger", layout.grid.stagger, false)
         .with("twists", layout.grid.twists.word(), Twists::Down.word())
         .with("branch", rule.word(), BranchRule::Published.word())
+        .with("method", layout.method.word(), MethodChoice::Published.word())
+        .given("blocks", (layout.method == MethodChoice::Derived).then(|| layout.blocks.word()))
         .with("reference", mesh.reference, false)
         .with("example", mesh.example, false)
         .given("alpha_F", own.map(|r| r.force))
@@ -72,8 +74,12 @@ mod tests {
         mixed.ratios = Some(RatioRecord { force: 2.0, deflection: 1.5, source: String::new() });
         let mut example = (*mesh).clone();
         example.example = true;
+        let derived = Layout { method: MethodChoice::Derived, ..REFERENCE };
+        let mirrored = Layout { blocks: crate::layout::Blocks::Mirrored, ..derived };
         let all = [
             base,
+            of_inputs(&derived, &mesh, rule),
+            of_inputs(&mirrored, &mesh, rule),
             of_inputs(&swapped, &mesh, rule),
             of_inputs(&other, &mesh, rule),
             of_inputs(&REFERENCE, &stronger, rule),

@@ -7,10 +7,13 @@
 //!    offset: F_a, delta_a.
 //! 3. [`master`] (Eq. 3) gives the curve, rescaled by both.
 //!
+//! That is the published method; [`derived`] takes the same steps with relations made of simulations.
+//!
 //! [`design`] answers what engineers ask of the curve; [`warning`] says what to distrust;
 //! [`fingerprint`] tells inputs apart; [`published`] holds what the paper prints against ours.
 //! The room reads no file and no clock; the same inputs give the same bits.
 
+pub(crate) mod derived;
 pub mod design;
 pub(crate) mod eccentricity;
 pub mod field;
@@ -22,11 +25,13 @@ pub(crate) mod ratios;
 pub(crate) mod warning;
 
 use crate::curve::{Curve, Point};
-use crate::layout::{self, BranchRule, Layout};
+use crate::layout::{self, BranchRule, Layout, MethodChoice};
 use crate::mesh::{MeshType, STANDARD_PANEL};
+use crate::method::DerivedMethod;
 use crate::problem::Problem;
 use eccentricity::Eccentricity;
 use field::Branch;
+use master::Master;
 use ratios::Ratios;
 use std::ops::RangeInclusive;
 use warning::{PublishedRange, Warning};
@@ -40,31 +45,40 @@ const PLAUSIBLE_DEFLECTION: RangeInclusive<f64> = 0.1..=1.5;
 /// Points of a forecast curve, both ends included.
 pub const CURVE_POINTS: usize = 201;
 
-/// A force with its deflection: the characteristic values of a test or a panel.
+/// A force with its deflection: the characteristic values of a test or a panel, and the curve up to them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Values {
     /// Force, N.
     pub force: f64,
     /// Deflection, m.
     pub deflection: f64,
+    /// The normalised curve.
+    pub(crate) master: Master,
 }
 
 impl Values {
+    /// With the published curve.
+    pub fn new(force: f64, deflection: f64) -> Values {
+        Values { force, deflection, master: master::PUBLISHED }
+    }
+
     /// Force at a deflection (m), N, on the rescaled master curve; meaningful from 0 to the failure.
     pub fn force_at(&self, deflection: f64) -> f64 {
-        self.force * master::force(deflection / self.deflection)
+        self.force * self.master.force(deflection / self.deflection)
     }
 
     /// Deflection at a force (N), m: the exact inverse of [`Values::force_at`]; nothing beyond failure.
     pub fn deflection_at(&self, force: f64) -> Option<f64> {
         // The failure force itself is on the curve, rounding of a quotient included.
         let y = force / self.force;
-        (0.0..=1.0 + 1e-12).contains(&y).then(|| self.deflection * master::deflection(y.min(1.0)))
+        (0.0..=1.0 + 1e-12)
+            .contains(&y)
+            .then(|| self.deflection * self.master.deflection(y.min(1.0)))
     }
 
     /// Tangent stiffness at a deflection (m), N/m.
     pub fn tangent_at(&self, deflection: f64) -> f64 {
-        self.force / self.deflection * master::slope(deflection / self.deflection)
+        self.force / self.deflection * self.master.slope(deflection / self.deflection)
     }
 
     /// Secant stiffness from 0 to a deflection (m, above 0), N/m.
@@ -74,7 +88,7 @@ impl Values {
 
     /// Energy absorbed from 0 to a deflection (m), J.
     pub fn energy_to(&self, deflection: f64) -> f64 {
-        self.force * self.deflection * master::area(deflection / self.deflection)
+        self.force * self.deflection * self.master.area(deflection / self.deflection)
     }
 
     /// The curve from 0 to the failure deflection, both ends included.
@@ -97,12 +111,12 @@ impl Strength {
     /// Both, where both are known.
     pub fn both(self) -> Option<Values> {
         let force = self.force;
-        self.deflection.map(|deflection| Values { force, deflection })
+        self.deflection.map(|deflection| Values::new(force, deflection))
     }
 }
 
 impl From<Values> for Strength {
-    fn from(Values { force, deflection }: Values) -> Strength {
+    fn from(Values { force, deflection, .. }: Values) -> Strength {
         Strength { force, deflection: Some(deflection) }
     }
 }
@@ -137,6 +151,8 @@ pub enum NoField {
     PassesThrough,
     /// The anchors stand on no square grid, for which there is no published relation.
     Grid,
+    /// Mirrored blocks would overlap; the published relations know nothing of that.
+    Overlap,
 }
 
 impl NoField {
@@ -146,6 +162,7 @@ impl NoField {
             NoField::PunchOnPlate => "punch_on_plate",
             NoField::PassesThrough => "passes_through",
             NoField::Grid => "grid_without_relation",
+            NoField::Overlap => "blocks_overlap",
         }
     }
 
@@ -155,6 +172,7 @@ impl NoField {
             NoField::PunchOnPlate => "on plate",
             NoField::PassesThrough => "through",
             NoField::Grid => "grid",
+            NoField::Overlap => "overlap",
         }
     }
 
@@ -169,6 +187,9 @@ impl NoField {
             }
             NoField::Grid => {
                 "no field value: no relation is published for rectangular or staggered grids; the check answers"
+            }
+            NoField::Overlap => {
+                "no field value: mirrored blocks of neighbouring cells would overlap"
             }
         }
     }
@@ -185,6 +206,12 @@ pub struct Field {
     pub branch: Branch,
     /// The same values by the other branch, where the layout is near the branch change.
     pub other_branch: Option<Strength>,
+    /// The derived method that gave them; nothing is the published one.
+    pub(crate) method: Option<&'static DerivedMethod>,
+    /// What the published method says, where it is another.
+    pub(crate) published: Option<Strength>,
+    /// Coefficient of variation of F_a about the forecast: alignment and slack.
+    pub(crate) variation: f64,
 }
 
 impl Forecast {
@@ -207,7 +234,24 @@ impl Forecast {
 impl Field {
     /// The point of failure, on which the curve hangs; missing where the laboratory's deflection is.
     pub fn end(&self) -> Option<Values> {
-        self.values.both()
+        let master = self.method.map_or(master::PUBLISHED, |method| {
+            let [a, b, c] = method.master.cubic;
+            Master { a, b, c }
+        });
+        self.values.both().map(|values| Values { master, ..values })
+    }
+
+    /// Between which 90 % of the simulated curves lie, rescaled: lower and upper. Nothing for the published
+    /// method, whose envelope is a picture.
+    pub(crate) fn envelope(&self) -> Option<[Curve; 2]> {
+        let (points, end) = (&self.method?.master.envelope, self.end()?);
+        let last = points.len().max(2) - 1;
+        Some([0, 2].map(|side| Curve {
+            deflection:
+                (0..points.len()).map(|i| end.deflection * i as f64 / last as f64).collect(),
+            force: points.iter().map(|p| end.force * p[side]).collect(),
+            failure: None,
+        }))
     }
 }
 
@@ -224,7 +268,7 @@ pub fn rescaled(values: Values, points: usize) -> Curve {
     for i in 0..last {
         let x = i as f64 / last as f64;
         curve.deflection.push(values.deflection * x);
-        curve.force.push(values.force * master::force(x));
+        curve.force.push(values.force * values.master.force(x));
     }
     curve.deflection.push(values.deflection);
     curve.force.push(values.force);
@@ -245,9 +289,12 @@ pub fn forecast(
     // All that is wrong with the mesh, and never nothing.
     let laboratory = laboratory::standard_values(&mesh.laboratory)
         .map_err(|problem| mesh.check().err().unwrap_or_else(|| vec![problem]))?;
-    let ratios = ratios::of_mesh(mesh);
+    let by_runs = (layout.method == MethodChoice::Derived)
+        .then(|| derived::derived(layout, mesh, laboratory));
+    let ratios = by_runs.map_or_else(|| ratios::of_mesh(mesh), |by_runs| by_runs.ratios);
     let reference = ratios::field_reference(laboratory, &ratios);
-    let eccentricity = eccentricity::published().at(layout);
+    let eccentricity = by_runs
+        .map_or_else(|| eccentricity::published().at(layout), |by_runs| by_runs.eccentricity);
     let mut warnings = Vec::new();
     mesh_warnings(mesh, &ratios, &mut warnings);
     range_warnings(layout, &mut warnings);
@@ -265,6 +312,16 @@ pub fn forecast(
     } else if !layout.is_square() {
         warnings.push(Warning::GridWithoutRelation { stagger: layout.grid.stagger });
         Err(NoField::Grid)
+    } else if let Some(by_runs) = by_runs {
+        if by_runs.field == Err(NoField::Overlap) {
+            warnings.push(Warning::BlocksOverlap);
+        }
+        let by_paper = || {
+            let reference = ratios::field_reference(laboratory, &ratios::of_mesh(mesh));
+            let offset = eccentricity::published().at(layout);
+            field_values(layout, reference, &offset, rule).values
+        };
+        by_runs.field.map(|field| Field { published: Some(by_paper()), ..field })
     } else {
         Ok(field_values(layout, reference, &eccentricity, rule))
     };
@@ -283,6 +340,14 @@ pub fn forecast(
     })
 }
 
+/// Coefficient of variation of F_a about the published forecast for a punch diameter (m): alignment and slack,
+/// assumed, because the paper gives none.
+pub(crate) fn variation(punch: f64) -> f64 {
+    /// Punch diameter from which on it scatters less, m.
+    const LARGE_PUNCH: f64 = 0.4;
+    if punch >= LARGE_PUNCH { 0.07 } else { 0.085 }
+}
+
 fn field_values(layout: &Layout, reference: Strength, e: &Eccentricity, rule: BranchRule) -> Field {
     let by = |branch| {
         let centred = field::centred(layout, branch, reference);
@@ -295,6 +360,9 @@ fn field_values(layout: &Layout, reference: Strength, e: &Eccentricity, rule: Br
         regime: Branch::published(layout),
         branch,
         other_branch: field::near_branch_change(layout).then(|| by(branch.other())),
+        method: None,
+        published: None,
+        variation: variation(layout.punch),
     }
 }
 
@@ -360,7 +428,7 @@ fn field_warnings(
     // Blocks of other cells change no forecast, nor does how the net hangs under a centred one.
     let point = layout::REFERENCE;
     let same = Layout { grid: point.grid, blocks: point.blocks, shape: point.shape, ..*layout };
-    if same == point {
+    if same == point && field.method.is_none() {
         warnings.push(Warning::ReferencePoint {
             force: field.values.force,
             deflection: field.values.deflection,

@@ -247,7 +247,7 @@ fn field_values(layout: &Layout) -> Values {
     forecast(layout, &catalogue::reference(), BranchRule::Published)
         .ok()
         .and_then(|result| result.field.ok()?.end())
-        .unwrap_or(Values { force: f64::NAN, deflection: f64::NAN })
+        .unwrap_or(Values::new(f64::NAN, f64::NAN))
 }
 
 fn our_fact(fact: Fact) -> f64 {

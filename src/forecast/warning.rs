@@ -76,6 +76,8 @@ pub enum Warning {
         /// Whether its rows are shifted.
         stagger: bool,
     },
+    /// Mirrored blocks of neighbouring cells would overlap.
+    BlocksOverlap,
     /// The laboratory record is far from what such tests give.
     ImplausibleLaboratory {
         /// Its force, N.
@@ -158,6 +160,7 @@ impl Warning {
             Warning::PunchOnPlate { .. } => NoField::PunchOnPlate.code(),
             Warning::PassesThrough { .. } => NoField::PassesThrough.code(),
             Warning::GridWithoutRelation { .. } => NoField::Grid.code(),
+            Warning::BlocksOverlap => NoField::Overlap.code(),
             Warning::ImplausibleLaboratory { .. } => "implausible_laboratory",
             Warning::StrengthOnly => "strength_only",
             Warning::NearBranchChange { .. } => "near_branch_change",
@@ -176,7 +179,8 @@ impl Warning {
         match self {
             Warning::PunchOnPlate { .. }
             | Warning::PassesThrough { .. }
-            | Warning::GridWithoutRelation { .. } => Weight::Outside,
+            | Warning::GridWithoutRelation { .. }
+            | Warning::BlocksOverlap => Weight::Outside,
             Warning::EccentricityFolded { .. }
             | Warning::PanelConverted { .. }
             | Warning::ReferencePoint { .. } => Weight::Note,
@@ -193,6 +197,7 @@ impl Warning {
             Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
             Warning::PassesThrough { .. } => "block below the mesh opening".into(),
             Warning::GridWithoutRelation { .. } => "no relation for this grid".into(),
+            Warning::BlocksOverlap => "mirrored blocks overlap".into(),
             Warning::ImplausibleLaboratory { force, deflection } => {
                 format!("laboratory {}: units?", record(*force, *deflection, ", "))
             }
@@ -238,6 +243,9 @@ impl Warning {
                 "the published relations are for anchors on a square grid and this one is {}: no field value; the check answers",
                 if *stagger { "staggered" } else { "rectangular" }
             ),
+            Warning::BlocksOverlap => {
+                "mirrored blocks of neighbouring cells would overlap: no field value by the derived method".into()
+            }
             Warning::ImplausibleLaboratory { force, deflection } => format!(
                 "the laboratory record of {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
                 record(*force, *deflection, " at ")

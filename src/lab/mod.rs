@@ -7,6 +7,7 @@
 //! - [`campaign`]: many single runs of random layouts, from which a method is derived.
 //! - [`derive`]: a method of forecasts made of such runs.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
+//! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub(crate) mod arrangements;
@@ -15,4 +16,5 @@ pub mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod convergence;
 pub(crate) mod derive;
+pub(crate) mod held_out;
 pub(crate) mod paper;

@@ -7,7 +7,9 @@ use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, Tit
 use super::text::{Node, NodeKind, Shape};
 use super::{read, words};
 use crate::case::Input;
-use crate::layout::{Blocks, BranchRule, Grid, Layout, PunchShape, REFERENCE, Twists};
+use crate::layout::{
+    Blocks, BranchRule, Grid, Layout, MethodChoice, PunchShape, REFERENCE, Twists,
+};
 use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::verdict::Basis;
@@ -38,6 +40,7 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "blocks",
     "mesh",
     "branch",
+    "method",
     "design_force",
     "pressure",
     "allowable_deflection",
@@ -93,6 +96,7 @@ struct LayoutFile {
     blocks: Soft<Blocks>,
     mesh: Soft<String>,
     branch: Soft<BranchRule>,
+    method: Soft<MethodChoice>,
     design_force: Soft<Force>,
     pressure: Soft<Pressure>,
     allowable_deflection: Soft<Length>,
@@ -244,7 +248,8 @@ impl LayoutFile {
         };
         let blocks = self.blocks.get()?.unwrap_or_default();
         let shape = self.shape.get()?.unwrap_or_default();
-        let geometry = Layout { blocks, grid, shape, ..REFERENCE };
+        let method = self.method.get()?.unwrap_or_default();
+        let geometry = Layout { blocks, method, grid, shape, ..REFERENCE };
         let mut layout = NamedLayout {
             branch: self.branch.get()?.unwrap_or_default(),
             overlay: self.overlay.get()?.unwrap_or(false),

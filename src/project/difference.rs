@@ -59,7 +59,8 @@ fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<
     // Sizes and the question are the inputs.
     let NamedLayout { uid: _, name, layout, mesh, branch, question: _, overlay, note, check } =
         from;
-    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks, grid, shape } = layout;
+    let Layout { plate: _, spacing: _, punch: _, ex: _, ey: _, blocks, method, grid, shape } =
+        layout;
     // The second spacing is an input.
     let Grid { up: _, stagger, twists } = grid;
     let place = &to.layout;
@@ -76,6 +77,7 @@ fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<
         (*name != to.name, "name"),
         (*blocks != to.layout.blocks, "blocks"),
         (*shape != to.layout.shape, "shape"),
+        (*method != to.layout.method, "method"),
         (*stagger != to.layout.grid.stagger, "stagger"),
         (*twists != to.layout.grid.twists, "twists"),
         (*mesh != to.mesh, "mesh"),

@@ -190,6 +190,7 @@ pub(crate) fn example(field: &str) -> &'static str {
         "shape" => "dome",
         "stagger" => "true",
         "twists" => "down",
+        "method" => "derived",
         "layouts" => "[]",
         "id" => "\"my-mesh\"",
         "force" => "73.3",

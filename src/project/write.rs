@@ -6,7 +6,7 @@ use super::schema::{MeshUse, NamedLayout, Project};
 use super::text::scalar::quoted;
 use crate::case::Input;
 use crate::case::input::{LX, Missing};
-use crate::layout::{Blocks, BranchRule, PunchShape, Twists};
+use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, Twists};
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use crate::words::Choice;
 use std::fmt::Write;
@@ -243,6 +243,10 @@ pub(crate) fn layout_field(
         "twists" => {
             let twists = l.layout.grid.twists;
             (twists != Twists::default()).then(|| twists.word().to_string())
+        }
+        "method" => {
+            let method = l.layout.method;
+            (method != MethodChoice::default()).then(|| quoted(method.word(), false))
         }
         "branch" => (l.branch != BranchRule::default()).then(|| l.branch.word().to_string()),
         "overlay" => l.overlay.then(|| "true".to_string()),

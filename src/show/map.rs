@@ -69,6 +69,7 @@ pub(crate) fn forecast(outcome: &CaseValue, shown: Effect) -> Cell {
         Err(NoValue::Outside(NoField::PunchOnPlate)) => Cell::None(NoCell::OnPlate),
         Err(NoValue::Outside(NoField::PassesThrough)) => Cell::None(NoCell::Through),
         Err(NoValue::Outside(NoField::Grid)) => Cell::None(NoCell::Grid),
+        Err(NoValue::Outside(NoField::Overlap)) => Cell::None(NoCell::Impossible),
         Err(NoValue::Senseless(_)) => Cell::None(NoCell::Senseless),
     }
 }

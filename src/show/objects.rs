@@ -9,7 +9,7 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::Strength;
 use crate::forecast::design::Answer;
 use crate::forecast::warning::Warning;
-use crate::layout::{Blocks, PunchShape, Twists};
+use crate::layout::{Blocks, MethodChoice, PunchShape, Twists};
 use crate::remark::Weight;
 use crate::study::checks::change::CheckChange;
 use crate::study::result::{CheckResult, Wanted};
@@ -40,6 +40,8 @@ pub(crate) fn inputs(case: &Case) -> Object {
     let (blocks, shape) = (layout.blocks, layout.shape);
     let sizes = sizes.maybe("shape", (shape != PunchShape::default()).then(|| shape.word()));
     let sizes = sizes.maybe("blocks", (blocks != Blocks::default()).then(|| blocks.word()));
+    let method = case.layout.method;
+    let sizes = sizes.maybe("method", (method != MethodChoice::default()).then(|| method.word()));
     sizes.with("mesh", case.mesh.id.clone()).with("branch", case.rule.word())
 }
 

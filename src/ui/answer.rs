@@ -8,7 +8,7 @@ use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Forecast};
 use crate::layout::Layout;
 use crate::remark::Weight;
-use crate::show::verdict;
+use crate::show::{say, verdict};
 use crate::study::verdict::Finding;
 use crate::units::{force_text, length_text, maybe_length_text};
 use crate::words::Choice;
@@ -109,6 +109,10 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         ),
         theme.forecast,
     )];
+    if let Some(published) = field.published {
+        lines.push((say::published_short(published, field.values, app.units()), theme.text));
+        lines.push((format!("90 %: {}", say::band(field)), theme.text));
+    }
     lines.extend(verdict_line(app, theme));
     let (checks, beside) = checked_lines(app, theme);
     let dem = check::lines(app, theme);
@@ -123,10 +127,12 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         crate::forecast::field::Branch::SmallPunch => "small punch",
         crate::forecast::field::Branch::LargePunch => "large punch",
     };
-    let mut how = vec![
-        (format!("{branch}, {}", forecast.rule.word()), theme.text),
-        (anchor_line(&app.layout().layout, field), theme.text),
-    ];
+    let how_found = match field.method {
+        None => format!("{branch}, {}", forecast.rule.word()),
+        Some(_) => format!("{branch}, derived method"),
+    };
+    let mut how =
+        vec![(how_found, theme.text), (anchor_line(&app.layout().layout, field), theme.text)];
     how.extend(check::trust(app, theme));
     (lines, how)
 }

@@ -53,6 +53,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         chart.curve(&rescaled(*values, POINTS), pen, &mut grid);
     }
     check::curves(app, &chart, &mut grid);
+    envelope(app, &chart, &mut grid);
     let field = field_values(app.result());
     if let Some(values) = field {
         let pen = DotPen { ink: Ink::Forecast, pattern: Pattern::Solid, ascii: None };
@@ -82,6 +83,15 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         }
     }
     text::draw(&chart.plot.picture, area, buf, theme);
+}
+
+/// Between which 90 % of the simulated curves lie, where a derived method is in use.
+fn envelope(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
+    let field = app.result().forecast().and_then(|f| f.field.ok());
+    for curve in field.and_then(|field| field.envelope()).iter().flatten() {
+        let pen = DotPen { ink: Ink::Forecast, pattern: Pattern::Dashed(1, 2), ascii: Some(',') };
+        chart.curve(curve, pen, grid);
+    }
 }
 
 /// Where a forecast's curve ends.

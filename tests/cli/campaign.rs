@@ -126,3 +126,44 @@ fn a_method_is_derived_from_a_small_campaign() {
     assert!(twice.code == 2 && twice.err.contains("seed 1"), "{}", twice.err);
     assert!(run(&["derive", &place("nothing")]).err.contains("cannot be read"));
 }
+
+#[test]
+fn a_forecast_takes_either_method_and_says_which() {
+    let one = |flags: &[&str]| {
+        let all: Vec<&str> = ["forecast"].iter().chain(flags).copied().collect();
+        super::json(&all)
+    };
+    let plain = one(&[]);
+    // What stands in results of before has no word of it.
+    assert!(plain["inputs"].get("method").is_none() && plain["field"].get("method").is_none());
+    assert_eq!(one(&["--method", "pol-gabrieli-2021"]), plain);
+    let derived = one(&["--method", "derived"]);
+    assert_eq!(derived["inputs"]["method"], "derived");
+    assert_eq!(derived["field"]["method"]["published"]["F_kN"], plain["field"]["F_kN"]);
+    assert_ne!(derived["fingerprint"], plain["fingerprint"]);
+    let said = good(&["forecast", "--method", "derived", "--ex", "0.5", "--ey", "0.9"]);
+    assert!(
+        said.contains("simulations of repeated blocks") && said.contains("published"),
+        "{said}"
+    );
+    // Blocks that face each other have a method of their own, and no value where they would overlap.
+    let force = |blocks: &str| {
+        let flags = ["--method", "derived", "--blocks", blocks, "--ex", "0.5", "--ey", "0.9"];
+        one(&flags)["field"]["F_kN"].as_f64().unwrap()
+    };
+    assert!(force("mirrored") < force("repeated") && force("worst") == force("mirrored"));
+    let overlap = one(&["--method", "derived", "--blocks", "mirrored", "--ex", "1.2"]);
+    assert!(overlap["field"].is_null());
+    assert!(overlap["warnings"].to_string().contains("blocks_overlap"), "{}", overlap["warnings"]);
+}
+
+#[test]
+fn a_layout_keeps_its_method_in_its_file() {
+    let text = r#"(version: 2, name: "p", layouts: [(name: "a", d: 0.32, L: 3.0, D: 1.0, method: "derived")])"#;
+    let (_keep, path) = super::file("p.ron", text);
+    let value = super::json(&["forecast", super::shown(&path)]);
+    assert_eq!(value[0]["inputs"]["method"], "derived", "{value}");
+    let (_keep, path) = super::file("q.ron", &text.replace("derived", "guessed"));
+    let refused = super::refused(&["forecast", super::shown(&path)]);
+    assert!(refused.contains("method") && refused.contains("pol-gabrieli-2021"), "{refused}");
+}

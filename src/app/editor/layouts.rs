@@ -4,7 +4,7 @@ use super::history::Run;
 use super::{Editor, NONE};
 use crate::case::entry::on_grain;
 use crate::case::{Input, StepSize};
-use crate::layout::{self, Blocks, BranchRule, Grid, Layout, PunchShape, Twists};
+use crate::layout::{self, Blocks, BranchRule, Grid, Layout, MethodChoice, PunchShape, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
 use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
@@ -303,6 +303,19 @@ impl Editor {
         match twists {
             Twists::Down => "the twists run down the slope, along y",
             Twists::Across => "the twists run across the slope, along x",
+        }
+    }
+
+    /// Goes over to the other relations of the forecast; what to say.
+    pub(in crate::app) fn toggle_method(&mut self) -> &'static str {
+        let method = self.layout().layout.method.other();
+        let label = format!("method of {}", self.layout().name);
+        self.edit_layout(label, |layout| layout.layout.method = method);
+        match method {
+            MethodChoice::Published => "the published method (Pol & Gabrieli 2021)",
+            MethodChoice::Derived => {
+                "derived from simulations of blocks as they stand; dots: 90 % of curves"
+            }
         }
     }
 

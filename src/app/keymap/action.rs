@@ -32,6 +32,8 @@ pub enum Action {
     Grid,
     /// The net turned under the layout.
     Twists,
+    /// Other relations of the forecast.
+    Method,
     Units,
     Basis,
     Undo,

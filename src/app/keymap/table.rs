@@ -116,6 +116,7 @@ const MAIN: &[Binding] = &[
     k(A::Blocks,         &[c('p')],                       "blocks",      "how the blocks of other cells stand: paper, repeated, mirrored, single, or the worst"),
     k(A::Grid,           &[c('P')],                       "",            "grid of anchors: one spacing L, two (Lx and Ly), or staggered"),
     k(A::Twists,         &[c('T')],                       "",            "turn the net: twists down the slope or across it"),
+    k(A::Method,         &[c('M')],                       "",            "the forecast's relations: the paper's, or those derived from simulations"),
     k(A::Units,          &[c('t')],                       "units",       "lengths in m or mm"),
     k(A::Basis,          &[c('B')],                       "",            "verdicts by mean or by characteristic values, for the project"),
     k(A::Redo,           &[c('U'), ctrl('r'), ctrl('y')], "redo",        "redo"),

@@ -5,7 +5,7 @@ use super::{check, method};
 use crate::app::App;
 use crate::case::Derived;
 use crate::forecast::{Forecast, Strength, Values};
-use crate::show::verdict;
+use crate::show::{say, verdict};
 use crate::units::{
     LengthUnit, force_text, length_text, maybe_length_text, percent, shortest, significant, to_kn,
 };
@@ -95,10 +95,16 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     );
     let Ok(field) = forecast.field else { return };
     page.row("F_a, delta_a (step 2)", &pair(field.values, unit));
-    page.row(
-        "branch of A.1-A.2",
-        &format!("{} (rule: {})", field.branch.word(), forecast.rule.word()),
-    );
+    match field.method {
+        None => page.row(
+            "branch of A.1-A.2",
+            &format!("{} (rule: {})", field.branch.word(), forecast.rule.word()),
+        ),
+        Some(method) => page.row("method", &say::derived(method, &field)),
+    }
+    if let Some(published) = field.published {
+        page.row("by the published method", &say::beside(published, field.values, unit));
+    }
     if let Some(other) = field.other_branch {
         page.row("by the other branch", &pair(other, unit));
     }

@@ -148,6 +148,7 @@ fn outcome(page: &Page, o: &CaseValue) -> String {
             "the block is smaller than the opening of the mesh".to_string()
         }
         Err(NoValue::Outside(NoField::Grid)) => "no relation for this grid".to_string(),
+        Err(NoValue::Outside(NoField::Overlap)) => "mirrored blocks overlap".to_string(),
         Err(NoValue::Senseless(_)) => "plate or block is as large as the spacing".to_string(),
     }
 }

@@ -4,6 +4,7 @@ use super::{Answered, BASIS};
 use crate::cli::output::{Fault, json_list};
 use crate::forecast::eccentricity::published;
 use crate::forecast::{CURVE_POINTS, Field, Forecast, Strength};
+use crate::method::DerivedMethod;
 use crate::show::columns::{OVER_LAB, RATIOS, STIFFNESS};
 use crate::show::objects::{curve, design, head, inputs, values, warnings};
 use crate::show::value::{Object, Value};
@@ -55,7 +56,20 @@ fn field(f: &Forecast, field: &Field) -> Object {
         .with("regime", field.regime.word())
         .with("branch", f.rule.word())
         .with("relation", field.branch.word())
+        .maybe("method", field.method.map(|method| of_method(field, method)))
         .columns(&STIFFNESS, field)
+}
+
+/// The derived method in use, and what the published one gives.
+fn of_method(field: &Field, method: &DerivedMethod) -> Object {
+    let published = field.published.map(values);
+    Object::new()
+        .with("name", method.name.clone())
+        .with("blocks", method.blocks.word())
+        .with("runs", method.runs.used)
+        .with("revisions", method.revisions.clone())
+        .with("variation_F", Value::Exact(field.variation))
+        .with("published", published)
 }
 
 fn eccentricity(f: &Forecast) -> Object {

@@ -6,6 +6,7 @@ use crate::cli::page::{BASIS, MARGIN, Page, WIDTH};
 use crate::forecast::field::Branch;
 use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Values};
+use crate::show::say;
 use crate::units::{LengthUnit, force_text, significant};
 use crate::units::{to_kj, to_kn};
 use crate::words::Choice;
@@ -94,6 +95,13 @@ fn values(page: &mut Page, a: &Answered, field: &Field) {
         ratios.join(" and ")
     );
     page.line("FIELD", text);
+    if let Some(method) = field.method {
+        page.line("method", say::derived(method, field));
+        if let Some(published) = field.published {
+            page.line("published", say::beside(published, field.values, page.unit));
+        }
+        return;
+    }
     let mut text = format!(
         "{} rule, {} by size, relation of the {}",
         a.forecast.rule.word(),

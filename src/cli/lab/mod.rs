@@ -1,7 +1,8 @@
-//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`validate`].
+//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`held_out`], [`validate`].
 
 pub(crate) mod bench;
 pub(crate) mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod derive;
+pub(crate) mod held_out;
 pub(crate) mod validate;

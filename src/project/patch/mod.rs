@@ -285,6 +285,7 @@ fn one_layout(
                 (None, "stagger") => FieldChange::Set("false".to_string()),
                 (None, "twists") => FieldChange::Set(is.layout.grid.twists.word().to_string()),
                 (None, "overlay") => FieldChange::Set("false".to_string()),
+                (None, "method") => FieldChange::Set(format!("{:?}", is.layout.method.word())),
                 (None, "blocks") => FieldChange::Set(is.layout.blocks.word().to_string()),
                 (None, "branch") => FieldChange::Set(is.branch.word().to_string()),
                 (None, _) => match input.map(|input| (input.row().missing, input)) {

@@ -32,13 +32,10 @@ impl Figures {
         let (force, deflection) = (&result.force, &result.deflection);
         let several = result.breaks.len() > 1;
         let counted = result.runs > 0;
-        let mean =
-            result.broke().then_some(Values { force: force.mean, deflection: deflection.mean });
+        let mean = result.broke().then_some(Values::new(force.mean, deflection.mean));
         Figures {
             mean,
-            error: mean
-                .filter(|_| several)
-                .map(|_| Values { force: force.error, deflection: deflection.error }),
+            error: mean.filter(|_| several).map(|_| Values::new(force.error, deflection.error)),
             force_band: counted.then_some(force.band),
             deflection_band: counted.then_some(deflection.band),
             utilisation: mean.and_then(|v| utilisation(question, v.force)),

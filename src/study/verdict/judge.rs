@@ -10,17 +10,9 @@ use crate::problem::Problem;
 
 /// Standard deviations from the mean to the 5 % point of a normal distribution.
 const FIVE_PER_CENT: f64 = 1.645;
-/// Punch diameter from which on the forecast scatters less, m.
-const LARGE_PUNCH: f64 = 0.4;
-/// Coefficient of variation of F_a about the forecast for a punch diameter (m): alignment and slack,
-/// assumed until a campaign of checks gives it.
-pub(crate) fn variation(punch: f64) -> f64 {
-    if punch >= LARGE_PUNCH { 0.07 } else { 0.085 }
-}
-
-/// The forecast's characteristic F_a as a part of its mean.
-pub(crate) fn characteristic_part(punch: f64) -> f64 {
-    1.0 - FIVE_PER_CENT * variation(punch)
+/// A forecast's characteristic F_a as a part of its mean, by its coefficient of variation.
+pub(crate) fn characteristic_part(variation: f64) -> f64 {
+    1.0 - FIVE_PER_CENT * variation
 }
 
 /// What a verdict takes from a forecast.
@@ -40,6 +32,7 @@ fn outside(why: NoField) -> &'static str {
         NoField::PunchOnPlate => "the block is on a plate",
         NoField::PassesThrough => "the block is smaller than the mesh opening",
         NoField::Grid => "no relation for this grid, and no check",
+        NoField::Overlap => "mirrored blocks overlap",
     }
 }
 
@@ -100,7 +93,7 @@ pub fn verdict(
         deflection.unwrap_or_else(|state| open(Aspect::Deflection, case, state)),
         anchor(case, check),
     ];
-    Verdict { basis, checks, remarks: remarks(case, &forecast, simulated) }
+    Verdict { basis, checks, remarks: remarks(&forecast, simulated) }
 }
 
 /// Of one check by several panels the worst; nothing asked or nothing judged as the state it leaves.
@@ -152,7 +145,7 @@ fn lacking(needed: &[(Option<f64>, &'static str)]) -> Option<&'static str> {
 
 fn strength(case: &Case, panel: &Panel, basis: Basis) -> Checked {
     let asked = case.asked();
-    let resistance = panel.force(case.layout.punch).map(|f| Some(f? / asked.gamma_resistance));
+    let resistance = panel.force().map(|f| Some(f? / asked.gamma_resistance));
     let Some(force) = asked.force else {
         let none = open(Aspect::Strength, case, State::NotAsked(LOAD));
         return Checked { capacity: resistance, ..none };
@@ -240,7 +233,7 @@ fn passes(passes: bool) -> State {
     if passes { State::Pass } else { State::Fail }
 }
 
-fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<VerdictRemark> {
+fn remarks(forecast: &Forecasted, simulated: Simulated) -> Vec<VerdictRemark> {
     let mut remarks = Vec::new();
     if forecast.extrapolated {
         remarks.push(VerdictRemark::Extrapolated);
@@ -252,7 +245,7 @@ fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<Verd
             if result.runs == 1 {
                 remarks.push(VerdictRemark::OneRun);
             }
-            if forecast.field.is_ok_and(|f| apart(&f, case, result)) {
+            if forecast.field.is_ok_and(|f| apart(&f, result)) {
                 remarks.push(VerdictRemark::Apart);
             }
         }
@@ -262,12 +255,12 @@ fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<Verd
 
 /// Whether forecast and check lie outside of each other's band of 5 to 95 %. One run has no band: its
 /// force stands for both ends.
-fn apart(field: &Field, case: &Case, result: &CheckResult) -> bool {
+fn apart(field: &Field, result: &CheckResult) -> bool {
     if !result.broke() {
         return false;
     }
     let forecast = field.values.force;
-    let half = FIVE_PER_CENT * variation(case.layout.punch) * forecast;
+    let half = FIVE_PER_CENT * field.variation * forecast;
     let [low, high] = if result.runs > 1 { result.force.band } else { [result.force.mean; 2] };
     let outside = forecast < low || forecast > high;
     outside && (result.force.mean - forecast).abs() > half
@@ -288,11 +281,11 @@ impl Panel<'_> {
     }
 
     /// Force at failure, mean and characteristic, N.
-    fn force(&self, punch: f64) -> [Option<f64>; 2] {
+    fn force(&self) -> [Option<f64>; 2] {
         match self {
             Panel::Forecast(field) => {
                 let mean = field.values.force;
-                [Some(mean), Some(mean * characteristic_part(punch))]
+                [Some(mean), Some(mean * characteristic_part(field.variation))]
             }
             Panel::Check(result) if !result.broke() => [None; 2],
             Panel::Check(result) => [Some(result.force.mean), result.characteristic()],
