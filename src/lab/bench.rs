@@ -50,6 +50,13 @@ pub(crate) struct Errors {
     pub(crate) curve: f64,
 }
 
+impl Errors {
+    /// The worst of the three.
+    pub(crate) fn worst(&self) -> f64 {
+        self.force.abs().max(self.deflection.abs()).max(self.curve)
+    }
+}
+
 /// Errors of `outcome` against `reference`; nothing if one of them has no first break.
 pub(crate) fn errors(outcome: &RunOutcome, reference: &RunOutcome) -> Option<Errors> {
     let (a, b) = (outcome.first_break?, reference.first_break?);

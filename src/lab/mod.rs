@@ -3,6 +3,7 @@
 //!
 //! - [`mod@bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob,
 //!   and cost against size.
+//! - [`estimates`]: a run's own error estimate against its true error, on scenes drawn by a seed.
 //! - [`arrangements`]: how the answer depends on how the blocks stand.
 //! - [`campaign`]: many single runs of random layouts, from which a method is derived.
 //! - [`derive`]: a method of forecasts made of such runs.
@@ -16,5 +17,6 @@ pub mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod convergence;
 pub(crate) mod derive;
+pub(crate) mod estimates;
 pub(crate) mod held_out;
 pub(crate) mod paper;

@@ -1,18 +1,21 @@
 //! `meshcast bench`: run time against error of the check, measured now, as a table and a plot.
 
 use crate::cli::VERSION;
+use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, say, wrapped};
 use crate::cli::watch::Watch;
-use crate::dem::Flow;
+use crate::dem::{Fidelity, Flow};
 use crate::export::svg::drawing::{Anchor, Drawing, Stroke};
 use crate::fingerprint::Fingerprinter;
 use crate::lab::arrangements::{self, ArrangementTable};
 use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::lab::convergence::{self, Sizes, Tables};
+use crate::lab::estimates::{self, EstimatePlan};
 use crate::project::{SaveError, create};
 use crate::show::glyphs::Glyphs;
 use crate::show::picture::Ink;
 use crate::show::plot::{Plot, PlotAxis};
+use crate::words::Choice;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
@@ -43,6 +46,19 @@ pub(crate) struct BenchArgs {
     /// worst anchor carries, cost.
     #[arg(long, conflicts_with_all = ["svg", "scene", "convergence", "size"])]
     arrangements: bool,
+    /// Error estimates against true errors instead, on scenes drawn by a seed: beaten, median of estimate over
+    /// error, said to be decided by a snap, aims missed; steps and time.
+    #[arg(long, conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
+    estimate: bool,
+    /// Scenes of `--estimate`.
+    #[arg(long, value_name = "N", default_value_t = 30, requires = "estimate")]
+    scenes: usize,
+    /// Seed that draws the scenes of `--estimate`.
+    #[arg(long, value_name = "S", default_value_t = 1, requires = "estimate")]
+    seed: u64,
+    /// Only this fidelity in `--estimate`; may be given several times [default: quick, standard, fine].
+    #[arg(long, value_name = "FIDELITY", value_parser = one_of(Fidelity::ALL), requires = "estimate")]
+    fidelity: Vec<Fidelity>,
     /// Draws the plot to a new file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -90,6 +106,9 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
         };
         return Ok(Output { result, interrupted: table.part, ..Output::default() });
     }
+    if args.estimate {
+        return estimate(args, listener);
+    }
     let Table { rows, known, part } = table(&names, listener)?;
     if let (Some(path), false) = (&args.svg, part) {
         create(path, &svg(&rows)).map_err(|e| match e {
@@ -106,6 +125,18 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
         }
     };
     Ok(Output { result, interrupted: part, ..Output::default() })
+}
+
+/// Surveys the error estimates.
+fn estimate(args: &BenchArgs, listener: Listener) -> CommandEnd {
+    let fidelities = if args.fidelity.is_empty() { &Fidelity::USUAL[..] } else { &args.fidelity };
+    let plan = EstimatePlan { scenes: args.scenes, seed: args.seed, fidelities };
+    let survey = estimates::survey(&plan, listener)?;
+    let result = match args.format {
+        Format::Text => super::estimates::text(&survey),
+        Format::Json => whole("bench --estimate", &survey)?,
+    };
+    Ok(Output { result, interrupted: survey.part, ..Output::default() })
 }
 
 /// A study with what made it, as JSON.

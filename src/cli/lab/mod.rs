@@ -4,5 +4,6 @@ pub(crate) mod bench;
 pub(crate) mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod derive;
+mod estimates;
 pub(crate) mod held_out;
 pub(crate) mod validate;
