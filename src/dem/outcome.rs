@@ -78,7 +78,8 @@ pub struct Quality {
     /// Largest change of a twist's strain in a step over its strain at rupture, times the steps that the
     /// punch needs for a tenth of its way: above 1 the net shakes; see [`super::run`] on silent failures.
     pub shaking: f64,
-    /// Estimated error of the curve, over its largest force; see [`super::run`].
+    /// Estimated largest error of force and deflection at the first break, and of the curve over its largest
+    /// force; see [`super::estimate`].
     pub error_estimate: f64,
 }
 
@@ -164,6 +165,12 @@ impl RunOutcome {
             carried >= goal
         });
         enough.map_or(0, |at| at + 1)
+    }
+
+    /// Whether a snap of the net from one shape to another decides this run: it shook with a shorter step
+    /// too. Where the snap comes, and so the answer, then hangs on millimetres at any speed.
+    pub(crate) fn snaps(&self) -> bool {
+        self.first_break.is_some() && self.quality.shaking > SHAKING
     }
 
     /// Whether the first break came out of nowhere, as those of an unstable step do.

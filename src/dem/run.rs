@@ -16,13 +16,10 @@
 //!   bond is nearly there. Where none was, or a twist shook (see [`RunOutcome::sudden`]), the run is
 //!   repeated with 0.7 of the step; if that breaks suddenly too, and elsewhere, and its energies do not
 //!   balance to 1 %, it counts as diverged. In every run they must balance to 2 % and half the kinetic energy.
-//! - *Error estimate*: a part (0.35 anchored, 0.9 in the laboratory test) of the largest difference of
-//!   punch and support force before the break over the largest force, which is what inertia does and
-//!   the weighting must cancel, and never less than what the shortcuts may change. It holds nine times
-//!   in ten (`meshcast bench --convergence`). It does not see what a millimetre decides: under a punch
-//!   below 0.4 m the first break may jump between two ways of failing (see [`super::bifurcation`]).
+//! - *Error estimate*: see [`super::estimate`].
 
 use super::account::{Account, IMBALANCE};
+use super::estimate;
 use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
 use super::lattice::{Role, bond_of};
@@ -48,9 +45,6 @@ const FIT: (f64, f64) = (0.022, 0.002);
 const SLIP: (f64, f64) = (0.03, 0.2);
 /// Punch travel between two looks at the utilisation, m.
 const LOOK: f64 = 0.006;
-/// Error over the largest difference of the forces on punch and support, anchored and laboratory: the
-/// nine tenths point of runs of random scenes with punches from 0.45 m, rounded up.
-const GAP_TO_ERROR: [f64; 2] = [0.35, 0.9];
 /// Largest imbalance (see [`super::account`]) of a run whose punch slipped through: the net snaps back
 /// faster than the kinetic energy is sampled, and what damping takes then is known less well (2.0 % and
 /// a little more in sound runs).
@@ -126,6 +120,10 @@ pub fn check(
             again.stop = Stop::Diverged;
         }
         outcome = again;
+    }
+    if outcome.snaps() {
+        let estimate = &mut outcome.quality.error_estimate;
+        *estimate = estimate.max(estimate::SNAP);
     }
     Ok(outcome)
 }
@@ -457,14 +455,14 @@ impl<'a> Run<'a> {
             self.points.iter().filter(|p| p.deflection < end - FIT.1).collect();
         let reached = before.last().map_or(0.0, |p| p.deflection);
         let most = before.iter().map(|p| weighted(p)).fold(1.0e-9, f64::max);
-        let gap = before.iter().map(|p| (p.punch - p.support).abs()).fold(0.0, f64::max);
         let late = before.iter().filter(|p| p.deflection > 0.75 * reached);
         let (punch, support) = late.fold((0.0, 0.0), |s, p| (s.0 + p.punch, s.1 + p.support));
         self.quality.kinetic_over_internal = self.energy.kinetic_over_work();
         self.quality.support_over_punch = if punch > 0.0 { support / punch } else { 0.0 };
-        let to_error = GAP_TO_ERROR[usize::from(self.scene.spec.test == Test::Laboratory)];
+        let forces: Vec<f64> = before.iter().map(|p| weighted(p)).collect();
+        let (fidelity, full) = (self.controls.fidelity, self.scheme.full);
         self.quality.error_estimate =
-            (to_error * gap / most).max(if self.scheme.full { 0.000_2 } else { 0.001 });
+            estimate::of(self.scene, fidelity, full, &before, &forces, most);
         let curve = Curve {
             deflection: self.points.iter().map(|p| p.deflection).collect(),
             force: self.points.iter().map(weighted).collect(),

@@ -236,7 +236,7 @@ fn row(
         worst: 100.0 * e.worst(),
         estimate: 100.0 * run.quality.error_estimate,
         known: 100.0 * known.worst(),
-        snap: false,
+        snap: run.snaps(),
         steps: run.cost.steps_to_break,
         wall_ms,
     }

@@ -3,6 +3,7 @@
 
 use crate::dem::Fidelity;
 use crate::dem::bifurcation::Probe;
+use crate::dem::estimate::SNAP;
 use crate::remark::Weight;
 use crate::units::{significant, to_kn};
 use crate::words::Choice;
@@ -190,10 +191,15 @@ impl CheckRemark {
                 format!("the mean force is {known}; more runs make it better")
             }
             CheckRemark::ErrorEstimate(Some((worst, fidelity))) => format!(
-                "estimated error of a run up to {}, where {} aims at {}; a higher fidelity makes it smaller",
+                "estimated error of a run up to {}, where {} aims at {}; {}",
                 percent(*worst),
                 fidelity.word(),
-                percent(fidelity.aim())
+                percent(fidelity.aim()),
+                if *worst < SNAP {
+                    "a higher fidelity makes it smaller"
+                } else {
+                    "a higher fidelity makes it smaller, but not where a snap of the net decides: there no single run is better than 10 %, and the mean of many is"
+                }
             ),
             CheckRemark::ErrorEstimate(None) => {
                 "estimated error of a run above twice what the fidelity aims at; a higher one makes it smaller".into()

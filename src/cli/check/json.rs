@@ -130,6 +130,8 @@ fn run(run: &Run) -> Object {
         .with("cost", cost(run.wall, o))
         // Whether it was repeated with a shorter step.
         .with("repeated", o.repeated)
+        // Whether a snap decides it, and no single run is better than a tenth.
+        .with("snap", o.snaps())
         .with("skipped", o.skipped.iter().cloned().map(Value::from).collect::<Value>())
 }
 
