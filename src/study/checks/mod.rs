@@ -4,13 +4,11 @@
 //! - [`change`]: what two results say about the difference of their cases; [`figures`]: what one says
 //!   beside a forecast.
 //!
-//! All cases are asked for with one [`Wanted`], so with the same seeds: run k has the same alignment
-//! of the net, as a part of its period, and the same draw of slack in every case (common random
-//! numbers). What the cases share then cancels in their difference, as far as the net stays alike. On
-//! the reference panel (`meshcast sensitivity --dem`: quick, 8 runs, seed 0) the standard error of the
-//! change of F is 0.03 to 0.06 kN where D or ey moves and 1.4 kN with independent runs, 0.3 to 0.4 kN
-//! instead of 1.3 to 1.4 for ex, 0.6 instead of 1.1 where L moves; where d moves nothing is gained (1.2
-//! to 1.6 kN), because another plate holds other nodes.
+//! All cases are asked for with one [`Wanted`], so with the same seeds: run k has the same draw of slack in
+//! every case (common random numbers), and where the plates catch the same patterns of nodes (another block,
+//! not another plate, spacing or offset from the centre) the same alignment of the net. What the cases share
+//! then cancels in their difference; where they do not share their alignments the error is that of two means,
+//! each over exact areas of its own patterns.
 //!
 //! A check takes its wires from the mesh and not from the laboratory values, so there is none for
 //! another F_l* or delta_l*: see [`NoCheck::Laboratory`].
