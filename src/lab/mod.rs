@@ -9,6 +9,7 @@
 //! - [`derive`]: a method of forecasts made of such runs.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
+//! - [`fit`]: a wire law fitted to many figures at once; the wires of the reference mesh.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub(crate) mod arrangements;
@@ -19,4 +20,5 @@ pub(crate) mod convergence;
 pub(crate) mod derive;
 pub(crate) mod estimates;
 pub(crate) mod held_out;
+pub mod fit;
 pub(crate) mod paper;

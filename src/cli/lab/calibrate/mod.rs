@@ -1,4 +1,7 @@
-//! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test.
+//! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test; with
+//! `--reference-fit` the wires of the reference mesh ([`reference`]).
+
+mod reference;
 
 use crate::cli::check::threads;
 use crate::cli::choice::one_of;
@@ -32,17 +35,20 @@ the ratio of twist to wire are those of --from. The result can be used with chec
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct CalibrateArgs {
     /// Force at failure of the test.
-    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true)]
-    force: f64,
+    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present = "reference_fit")]
+    force: Option<f64>,
     /// Deflection at failure of the test.
-    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true)]
-    deflection: f64,
+    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true, required_unless_present = "reference_fit")]
+    deflection: Option<f64>,
     /// Side of the test's panel.
     #[arg(long, value_name = "M", default_value_t = STANDARD_PANEL, value_parser = quantity::length, allow_hyphen_values = true)]
     panel: f64,
     /// Diameter of the test's punch.
     #[arg(long, value_name = "M", default_value_t = STANDARD_PUNCH, value_parser = quantity::length, allow_hyphen_values = true)]
     punch: f64,
+    /// Fits the reference mesh to all that the paper has but its Table 1, from two starts: some minutes.
+    #[arg(long, conflicts_with_all = ["force", "deflection", "panel", "punch", "from", "runs", "seed"])]
+    reference_fit: bool,
     /// What to start from: a mesh of the catalogue, a law (bench, yade, reference) or a mesh file.
     #[arg(long, value_name = "MESH", default_value = "reference")]
     from: String,
@@ -70,19 +76,24 @@ pub(crate) struct CalibrateArgs {
 struct Result<'a> {
     args: &'a CalibrateArgs,
     fit: Fit,
+    target: FitTarget,
     /// What the fitted law says of the anchored reference, which it was not fitted to.
     anchored: Ensemble,
 }
 
 /// Fits, predicts and prints.
 pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
+    if args.reference_fit {
+        return reference::run(args);
+    }
     let start = start(&args.from)?;
     if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {
         return Err(exists(path));
     }
     let target = FitTarget {
-        force: args.force,
-        deflection: args.deflection,
+        // The flags' own rule asks for both.
+        force: args.force.unwrap_or_default(),
+        deflection: args.deflection.unwrap_or_default(),
         panel: args.panel,
         punch: args.punch,
     };
@@ -104,7 +115,7 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     })?;
     let Some(mut fit) = fitted else { return interrupted(&watch) };
     fit.wire = rounded(&fit.wire);
-    fit.wire.source = source(args, &fit, &start);
+    fit.wire.source = source(args, &target, &fit, &start);
     let controls = Controls { fidelity: args.fidelity, after_break: 0.0, ..Controls::default() };
     let plan = Plan { runs: None, seed: args.seed, phase: None, threads: options.threads };
     watch.begin("anchored reference", parts - 1, parts, ANCHORED[1]);
@@ -114,7 +125,7 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
         return interrupted(&watch);
     }
     watch.finish(&format!("{} trials", fit.trials));
-    let result = Result { args, fit, anchored };
+    let result = Result { args, fit, target, anchored };
     if let Some(path) = &args.out {
         write_wires(path, &result)?;
     }
@@ -166,11 +177,11 @@ fn rounded(wire: &WireData) -> WireData {
 }
 
 /// The command that makes this result.
-fn command(args: &CalibrateArgs) -> String {
+fn command(args: &CalibrateArgs, target: &FitTarget) -> String {
     let mut said = format!(
         "meshcast calibrate --force {} --deflection {}",
-        shortest(to_kn(args.force)),
-        shortest(args.deflection)
+        shortest(to_kn(target.force)),
+        shortest(target.deflection)
     );
     if args.panel != STANDARD_PANEL {
         let _ = write!(said, " --panel {}", shortest(args.panel));
@@ -193,10 +204,10 @@ fn command(args: &CalibrateArgs) -> String {
 }
 
 /// Where the fitted law comes from.
-fn source(args: &CalibrateArgs, fit: &Fit, start: &WireData) -> String {
+fn source(args: &CalibrateArgs, target: &FitTarget, fit: &Fit, start: &WireData) -> String {
     format!(
         "Made by `{}`: stresses x {:.4}, strains past the first point x {:.4}, fitted to the laboratory force and deflection, nothing else. Started from: {}",
-        command(args),
+        command(args, target),
         fit.stress,
         fit.strain,
         start.source
@@ -213,7 +224,7 @@ fn exists(path: &std::path::Path) -> Fault {
 fn write_wires(path: &std::path::Path, r: &Result) -> std::result::Result<(), Fault> {
     let comment = format!(
         "Net and wires of a mesh for the discrete element check: meshcast check --mesh-file THIS\nLengths m, mass kg, curves (strain, stress in MPa). Made by\n  {}\nFitted: laboratory {} kN, {} m. Not fitted: all else.",
-        command(r.args),
+        command(r.args, &r.target),
         significant(to_kn(r.fit.laboratory.force.mean), 4),
         significant(r.fit.laboratory.deflection.mean, 4)
     );
@@ -246,16 +257,16 @@ fn text(r: &Result) -> String {
     let mut line = |head: &str, text: String| {
         lines.extend(wrapped(&format!("{head:<14}"), &text, 80));
     };
-    let a = r.args;
+    let (a, test) = (r.args, &r.target);
     line("calibration", format!("[meshcast {VERSION}]"));
     line(
         "test",
         format!(
             "{} kN at {} m; panel {} m, punch {} m",
-            shortest(to_kn(a.force)),
-            shortest(a.deflection),
-            shortest(a.panel),
-            shortest(a.punch)
+            shortest(to_kn(test.force)),
+            shortest(test.deflection),
+            shortest(test.panel),
+            shortest(test.punch)
         ),
     );
     line("FITTED", format!("stress scale {:.4}, strain scale {:.4}", r.fit.stress, r.fit.strain));
@@ -322,8 +333,8 @@ struct ResultJson<'a> {
 
 fn object(r: &Result) -> Object {
     let test = Object::new()
-        .with("F_kN", kn(r.args.force))
-        .with("delta_m", Value::Exact(r.args.deflection))
+        .with("F_kN", kn(r.target.force))
+        .with("delta_m", Value::Exact(r.target.deflection))
         .with("panel_m", Value::Exact(r.args.panel))
         .with("punch_m", Value::Exact(r.args.punch));
     let fit = Object::new()
@@ -338,7 +349,7 @@ fn object(r: &Result) -> Object {
     let both = |e: &Ensemble, part: fn(&Spread) -> f64| pair(part(&e.force), part(&e.deflection));
     Object::new()
         .with("version", VERSION)
-        .with("command", command(r.args))
+        .with("command", command(r.args, &r.target))
         .with("from", r.args.from.clone())
         .with("test", test)
         .with("fit", fit)
