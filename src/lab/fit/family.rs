@@ -94,7 +94,9 @@ impl LawParameters {
 
 /// A curve that ends at strain `end`: cut there, or level from its last point on.
 fn cut(points: &[CurvePoint], end: f64) -> Vec<CurvePoint> {
-    let mut kept: Vec<CurvePoint> = points.iter().copied().filter(|p| p.0 < end).collect();
+    // A point that is the end but for rounding is the end.
+    let before = end * (1.0 - 1.0e-5);
+    let mut kept: Vec<CurvePoint> = points.iter().copied().filter(|p| p.0 < before).collect();
     let stress = match (kept.last(), points.get(kept.len())) {
         (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (end - a.0) / (b.0 - a.0),
         (Some(a), None) => a.1,

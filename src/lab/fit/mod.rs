@@ -19,8 +19,8 @@ use family::{COUNT, LawParameters};
 use levenberg::squares;
 use rows::{Ended, FitQuestion, FitTell};
 
-/// Jacobians at most in a search.
-const JACOBIANS: usize = 10;
+/// Simulations of all rows at most in a search.
+const MOST: usize = 50;
 
 /// A fitted law.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,7 +77,7 @@ impl FitQuestion {
             all.extend(at.iter().zip(&origin).map(|(at, from)| (at - from) / hold));
             Ok(Some(all))
         };
-        let Some(found) = levenberg::search(&origin, JACOBIANS, &mut residuals)? else {
+        let Some(found) = levenberg::search(&origin, MOST, &mut residuals)? else {
             return Ok(None);
         };
         let start_score = first.unwrap_or(f64::NAN);

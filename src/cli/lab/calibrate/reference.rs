@@ -21,7 +21,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 /// Simulations of all rows that a search takes, about.
-const USUAL: usize = 60;
+const USUAL: usize = 30;
 
 /// What the fit found.
 struct Decision {
