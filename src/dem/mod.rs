@@ -14,6 +14,7 @@
 //! 5. [`run`]: drives either of them (as a [`stepper::Stepper`]) window by window to a stated end, and
 //!    makes the [`outcome`]; [`account`] keeps its energies. [`fidelity`] says how fast.
 //!    [`bifurcation`] tells when one run means nothing.
+//! 6. [`tensile`]: the other test of a net, without a punch: pulled in its plane until a bond breaks.
 //!
 //! Nothing here knows a file, a clock, a terminal or a thread; progress and cancelling are a callback.
 //! The same inputs give the same bits whatever the processor, the build profile or the caller's threads:
@@ -56,6 +57,7 @@ pub mod run;
 pub(crate) mod scene;
 pub mod stability;
 pub mod stepper;
+pub mod tensile;
 
 pub use fidelity::{Controls, Fidelity};
 pub use field::Arrangement;

@@ -177,6 +177,12 @@ impl Plain {
         plain
     }
 
+    /// Takes the punch away.
+    pub(super) fn without_punch(&mut self) {
+        self.dome = None;
+        self.others = Vec::new();
+    }
+
     /// Forces on all nodes at the present state, N; updates the bonds' largest strains. Returns the
     /// force on the punch and the energy in the contacts.
     fn forces(&mut self) -> (f64, f64) {

@@ -14,6 +14,7 @@ mod small_systems;
 mod solvers;
 mod stability;
 mod stops;
+mod tensile;
 mod yade;
 
 use meshcast::dem::{Arrangement, PLAIN_PHASE, SceneSpec, Test};
