@@ -133,7 +133,7 @@ impl TensileSpec {
             seed: self.seed,
             arrangement: Arrangement::default(),
         };
-        let dome = Dome::new(REFERENCE.punch, net.node_radius);
+        let dome = Dome::new(REFERENCE.shape, REFERENCE.punch, net.node_radius);
         let fixed = vec![[false; 2]; lattice.pairs()];
         let field = Field::one(&REFERENCE);
         Ok(Scene { spec, law: Law::new(&self.wire), lattice, dome, field, fixed })

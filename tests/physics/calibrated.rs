@@ -1,27 +1,38 @@
-//! The wires of the reference mesh are those that a calibration makes today: whoever changes a solver so
-//! that the fit moves must make them again (`meshcast calibrate --force 73.3 --deflection 0.6`).
+//! The wires of the reference mesh are those that `meshcast calibrate --reference-fit` gave, as
+//! `assets/reference_law.ron` records it. Whoever changes a solver so that its rows move must make them again.
 
-use meshcast::dem::Flow;
-use meshcast::lab::calibrate::{FitOptions, FitTarget, fit};
-use meshcast::mesh::{catalogue, laws};
+use meshcast::lab::fit::reference::{RecordedLaw, record, starts};
+use meshcast::mesh::catalogue;
+
+fn kept() -> &'static RecordedLaw {
+    record().found.iter().find(|found| found.start == record().kept).unwrap()
+}
 
 #[test]
-fn the_catalogue_has_the_wires_of_a_calibration() {
+fn the_catalogue_has_the_law_with_the_lowest_score() {
+    let record = record();
+    assert_eq!(record.found.len(), starts().len());
+    for (found, start) in record.found.iter().zip(starts()) {
+        assert_eq!(found.start, start.name);
+        // The record's own rows give its score, to the digits that it is written with.
+        let score = found.score().expect("a value of every row");
+        assert!((score / found.scores.1 - 1.0).abs() < 1e-3, "{score} {found:?}");
+        assert!(found.scores.1 <= found.scores.0 && found.scores.1 >= kept().scores.1);
+    }
     let mesh = catalogue::reference();
-    let target = FitTarget { force: 73_300.0, deflection: 0.6, panel: 3.0, punch: 1.0 };
-    let options = FitOptions { threads: 2, ..FitOptions::default() };
-    let fit = fit(&laws::reference(), &target, &options, &|_, _| Flow::Continue).unwrap().unwrap();
-    assert!(fit.found, "{:?}", fit.residual);
-    // The file's curves have seven digits, its source four of each scale.
-    let kept = mesh.wire.as_ref().unwrap();
-    let said =
-        format!("stresses x {:.4}, strains past the first point x {:.4}", fit.stress, fit.strain);
-    assert!(kept.source.contains(&said), "{said}; {}", kept.source);
-    for (ours, file) in
-        [(&fit.wire.single, &kept.single), (&fit.wire.double_twist, &kept.double_twist)]
-    {
-        for (a, b) in ours.iter().zip(file) {
-            assert!((a.0 / b.0 - 1.0).abs() < 1e-6 && (a.1 / b.1 - 1.0).abs() < 1e-6);
-        }
+    let wire = mesh.wire.as_ref().unwrap();
+    assert_eq!(*wire, kept().law.wire(wire.net, wire.source.clone()));
+    assert!(wire.source.contains(&record.command), "{}", wire.source);
+}
+
+#[test]
+fn the_kept_law_gives_the_recorded_laboratory_test_and_anchored_reference() {
+    let rows = kept().again(&["laboratory, L = 3", "anchored reference"], 2);
+    // Force, deflection and stiffness; force, deflection and three points of the curve.
+    assert_eq!(rows.len(), 8);
+    for (label, recorded, now) in rows {
+        // Other draws of alignment and slack would move the anchored force by its standard error, 3 %.
+        let tolerance = if label.starts_with("laboratory") { 0.015 } else { 0.06 };
+        assert!((now / recorded - 1.0).abs() < tolerance, "{label}: {recorded} {now}");
     }
 }

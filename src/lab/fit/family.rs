@@ -66,6 +66,12 @@ impl LawParameters {
         LawParameters::of(values)
     }
 
+    /// Strength of the single wire, MPa on its nominal area.
+    pub(crate) fn wire_strength(&self) -> f64 {
+        let single = scaled(&SINGLE_WIRE, self.wire_strain, self.wire_stress);
+        cut(&single, self.rupture).last().map_or(0.0, |p| p.1)
+    }
+
     /// At six significant digits, which is far more than is known of them.
     pub(crate) fn rounded(&self) -> LawParameters {
         LawParameters::of(self.values().map(|v| format!("{v:.5e}").parse().unwrap_or(v)))

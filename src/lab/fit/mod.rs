@@ -15,12 +15,49 @@ mod levenberg;
 pub mod reference;
 pub(crate) mod rows;
 
-use family::{COUNT, LawParameters};
+use family::LawParameters;
 use levenberg::squares;
 use rows::{Ended, FitQuestion, FitTell};
 
 /// Simulations of all rows at most in a search.
 const MOST: usize = 50;
+
+/// A row that holds a parameter where no data row feels it: no part of the score.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Held {
+    /// What is held.
+    pub(crate) what: HeldFigure,
+    /// Where.
+    pub(crate) at: f64,
+    /// Standard deviation of its logarithm.
+    pub(crate) sigma: f64,
+}
+
+/// What can be held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum HeldFigure {
+    /// A parameter by its number.
+    Parameter(usize),
+    /// The strength of the single wire, MPa.
+    #[expect(dead_code, reason = "for fits to other data, which come next")]
+    WireStrength,
+}
+
+impl Held {
+    /// All parameters near those of a law.
+    pub(crate) fn near(law: &LawParameters, sigma: f64) -> Vec<Held> {
+        let held = |(k, at)| Held { what: HeldFigure::Parameter(k), at, sigma };
+        law.values().into_iter().enumerate().map(held).collect()
+    }
+
+    fn residual(&self, law: &LawParameters) -> f64 {
+        let value = match self.what {
+            HeldFigure::Parameter(k) => law.values()[k],
+            HeldFigure::WireStrength => law.wire_strength(),
+        };
+        (value / self.at).ln() / self.sigma
+    }
+}
 
 /// A fitted law.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +72,10 @@ pub(crate) struct FittedLaw {
     pub(crate) values: Vec<f64>,
     /// Sum of squares of the rows there.
     pub(crate) score: f64,
+    /// Sum of squares of what holds the law there.
+    pub(crate) held: f64,
+    /// Change of the residuals of the rows, then of what holds the law, with each parameter's logarithm.
+    pub(crate) jacobian: Vec<Vec<f64>>,
     /// How often all rows were simulated.
     pub(crate) evaluations: usize,
 }
@@ -55,38 +96,42 @@ impl FitQuestion {
         self.rows.iter().zip(values).map(|(row, value)| row.residual(*value)).collect()
     }
 
-    /// Searches from a law; `hold` is the standard deviation of the rows that hold each parameter near its
-    /// start, in logarithms. Nothing where the start cannot be run.
+    /// Searches from a law that rows of `held` keep where the data do not. Nothing where the start cannot
+    /// be run.
     ///
     /// # Errors
     /// Why it was ended.
     pub(crate) fn fit(
         &self,
         start: &LawParameters,
-        hold: f64,
+        held: &[Held],
         tell: &FitTell,
     ) -> Result<Option<FittedLaw>, Ended> {
-        let origin = start.logarithms();
         let mut first = None;
         let mut residuals = |at: &[f64]| -> Result<_, Ended> {
-            let Some(values) = self.values(&LawParameters::of_logarithms(at), tell)? else {
-                return Ok(None);
-            };
+            let law = LawParameters::of_logarithms(at);
+            let Some(values) = self.values(&law, tell)? else { return Ok(None) };
             let mut all = self.residuals(&values);
             first.get_or_insert(squares(&all));
-            all.extend(at.iter().zip(&origin).map(|(at, from)| (at - from) / hold));
+            all.extend(held.iter().map(|held| held.residual(&law)));
             Ok(Some(all))
         };
-        let Some(found) = levenberg::search(&origin, MOST, &mut residuals)? else {
+        let Some(found) = levenberg::search(&start.logarithms(), MOST, &mut residuals)? else {
             return Ok(None);
         };
         let start_score = first.unwrap_or(f64::NAN);
-        debug_assert_eq!(found.at.len(), COUNT);
         let law = LawParameters::of_logarithms(&found.at).rounded();
         // Six digits move no row, but what is told shall be what is written.
         let Some(values) = self.values(&law, tell)? else { return Ok(None) };
-        let score = self.score(&values);
-        let evaluations = found.evaluations + 1;
-        Ok(Some(FittedLaw { start: *start, start_score, law, values, score, evaluations }))
+        Ok(Some(FittedLaw {
+            start: *start,
+            start_score,
+            law,
+            score: self.score(&values),
+            values,
+            held: held.iter().map(|held| held.residual(&law).powi(2)).sum(),
+            jacobian: found.jacobian,
+            evaluations: found.evaluations + 1,
+        }))
     }
 }

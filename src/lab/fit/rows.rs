@@ -2,7 +2,12 @@
 //! all of them for one law.
 
 use super::family::LawParameters;
-use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::hash::hash;
+use crate::dem::lattice::Role;
+use crate::dem::tensile::{Pull, TensileOutcome, TensileSpec, tensile};
+use crate::dem::{
+    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, RunProgress, SceneSpec, Test,
+};
 use crate::layout::Layout;
 use crate::mesh::wire::{NetGeometry, WireData};
 use crate::problem::Problem;
@@ -13,15 +18,57 @@ use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run};
 pub(crate) struct FitScene {
     /// The scene in words.
     pub(crate) words: String,
-    /// Which test.
-    pub(crate) test: Test,
-    /// Panel, plates and punch.
-    pub(crate) layout: Layout,
+    /// What is done to the net.
+    pub(crate) kind: SceneKind,
     /// Runs of its ensemble: fixed draws, the same for every law.
     pub(crate) runs: usize,
 }
 
+/// What is done to the net.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum SceneKind {
+    /// A punch test: which, and panel, plates and punch.
+    Punch(Test, Layout),
+    #[expect(dead_code, reason = "for fits to other data, which come next")]
+    /// A tensile test: width, length, m, and which way.
+    Tensile(f64, f64, Pull),
+}
+
+impl FitScene {
+    /// About the deflection at which it ends, m.
+    pub(crate) fn end(&self) -> f64 {
+        match self.kind {
+            SceneKind::Punch(_, layout) => 0.2 * layout.spacing,
+            SceneKind::Tensile(_, length, _) => 0.1 * length,
+        }
+    }
+}
+
+/// The runs of a scene.
+pub(crate) enum Made {
+    /// Of a punch test.
+    Punched(Ensemble),
+    /// Of a tensile test.
+    Pulled(Vec<TensileOutcome>),
+}
+
+impl Made {
+    #[expect(dead_code, reason = "for fits to other data, which come next")]
+    /// Part of the runs in which a double twist broke first.
+    pub(crate) fn twists_first(&self) -> f64 {
+        let first: Vec<Role> = match self {
+            Made::Punched(e) => {
+                e.runs.iter().filter_map(|r| Some(r.outcome.breaks.first()?.role)).collect()
+            }
+            Made::Pulled(all) => all.iter().filter_map(|outcome| outcome.broke).collect(),
+        };
+        let twists = first.iter().filter(|role| **role == Role::Twist).count();
+        twists as f64 / first.len().max(1) as f64
+    }
+}
+
 /// What a row reads.
+#[expect(dead_code, reason = "some are for fits to other data, which come next")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Measure {
     /// Force at the first break, N.
@@ -32,6 +79,14 @@ pub(crate) enum Measure {
     Stiffness,
     /// Force at this part of the deflection at the first break, over the force there.
     Shape(f64),
+    /// Force at this deflection, m, over the runs that reach it, N.
+    ForceAt(f64),
+    /// Strength of the net in a tensile test, N/m.
+    Strength,
+    /// Strength of the wire, MPa; reads the law and no scene.
+    WireStrength,
+    /// Elongation of the wire at its rupture; reads the law and no scene.
+    WireElongation,
 }
 
 /// A row.
@@ -60,9 +115,13 @@ impl FitRow {
         }
     }
 
-    /// The row's value in these ensembles; nothing where none of its runs has one.
-    fn value(&self, ensembles: &[Ensemble]) -> Option<f64> {
-        let of = |scene: usize| mean(&ensembles[scene].runs, self.measure);
+    /// The row's value under a law whose scenes are made; nothing where none of its runs has one.
+    fn value(&self, law: &LawParameters, made: &[Made]) -> Option<f64> {
+        let of = |scene: usize| match self.measure {
+            Measure::WireStrength => Some(law.wire_strength()),
+            Measure::WireElongation => Some(law.rupture),
+            measure => mean(made.get(scene)?, measure),
+        };
         let value = of(self.scene)?;
         let base = self.over.map_or(Some(1.0), of)?;
         Some(value / base).filter(|v| v.is_finite() && *v > 0.0)
@@ -70,20 +129,27 @@ impl FitRow {
 }
 
 /// Mean of a figure over the runs that have it.
-fn mean(runs: &[Run], measure: Measure) -> Option<f64> {
-    let figure = |run: &Run| {
-        let end = run.outcome.first_break?;
-        match measure {
-            Measure::Force => Some(end.force),
-            Measure::Deflection => Some(end.deflection),
-            Measure::Stiffness => Some(run.outcome.k75).filter(|k| *k > 0.0),
-            Measure::Shape(part) => {
-                Some(run.outcome.curve.force_at(part * end.deflection) / end.force)
-            }
-        }
+fn mean(made: &Made, measure: Measure) -> Option<f64> {
+    let values: Vec<f64> = match made {
+        Made::Punched(e) => e.runs.iter().filter_map(|run| figure(run, measure)).collect(),
+        Made::Pulled(all) => all.iter().map(|outcome| outcome.strength).collect(),
     };
-    let values: Vec<f64> = runs.iter().filter_map(figure).collect();
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+}
+
+/// A figure of a run of a punch test.
+fn figure(run: &Run, measure: Measure) -> Option<f64> {
+    let end = run.outcome.first_break?;
+    let curve = &run.outcome.curve;
+    match measure {
+        Measure::Force => Some(end.force),
+        Measure::Deflection => Some(end.deflection),
+        Measure::Stiffness => Some(run.outcome.k75).filter(|k| *k > 0.0),
+        Measure::Shape(part) => Some(curve.force_at(part * end.deflection) / end.force),
+        // A run that broke before goes on as its last points did: a row that loses runs would jump.
+        Measure::ForceAt(at) => Some(curve.force_at(at)).filter(|f| *f > 0.0),
+        Measure::Strength | Measure::WireStrength | Measure::WireElongation => None,
+    }
 }
 
 /// All that a fit compares with, and how it simulates.
@@ -125,26 +191,51 @@ impl FitQuestion {
         law: &LawParameters,
         tell: &FitTell,
     ) -> Result<Option<Vec<f64>>, Ended> {
+        Ok(self.made(law, tell)?.and_then(|made| self.read(law, &made)))
+    }
+
+    /// The value of every row where its scenes are made.
+    pub(crate) fn read(&self, law: &LawParameters, made: &[Made]) -> Option<Vec<f64>> {
+        self.rows.iter().map(|row| row.value(law, made)).collect()
+    }
+
+    /// The scenes under a law; nothing where the law cannot be run.
+    ///
+    /// # Errors
+    /// Why it was ended.
+    pub(crate) fn made(
+        &self,
+        law: &LawParameters,
+        tell: &FitTell,
+    ) -> Result<Option<Vec<Made>>, Ended> {
         let wire = law.wire(self.net, String::new());
         if wire.check().is_err() {
             return Ok(None);
         }
         let mut made = Vec::with_capacity(self.scenes.len());
         for scene in &self.scenes {
-            made.push(self.ensemble(scene, &wire, tell)?);
+            made.push(match scene.kind {
+                SceneKind::Punch(test, layout) => {
+                    Made::Punched(self.punched(scene, (test, layout), &wire, tell)?)
+                }
+                SceneKind::Tensile(width, length, pull) => {
+                    Made::Pulled(self.pulled(scene, (width, length, pull), &wire, tell)?)
+                }
+            });
         }
-        Ok(self.rows.iter().map(|row| row.value(&made)).collect())
+        Ok(Some(made))
     }
 
-    fn ensemble(
+    fn punched(
         &self,
         scene: &FitScene,
+        (test, layout): (Test, Layout),
         wire: &WireData,
         tell: &FitTell,
     ) -> Result<Ensemble, Ended> {
         let spec = SceneSpec {
-            layout: scene.layout,
-            test: scene.test,
+            layout,
+            test,
             wire: wire.clone(),
             phase: PLAIN_PHASE,
             seed: 0,
@@ -157,5 +248,40 @@ impl FitQuestion {
         let made =
             ensemble::run(&spec, &controls, &plan, &|now| tell(scene, now)).map_err(Ended::Bad)?;
         if made.partial() { Err(Ended::Cancelled) } else { Ok(made) }
+    }
+
+    fn pulled(
+        &self,
+        scene: &FitScene,
+        (width, length, pull): (f64, f64, Pull),
+        wire: &WireData,
+        tell: &FitTell,
+    ) -> Result<Vec<TensileOutcome>, Ended> {
+        let mut all = Vec::new();
+        for run in 0..scene.runs {
+            let seed = hash(self.seed, run as u64);
+            let spec = TensileSpec { width, length, pull, wire: wire.clone(), seed };
+            let mut cancelled = false;
+            let outcome = tensile(&spec, &mut |elongation| {
+                let inner = RunProgress {
+                    deflection: elongation * length,
+                    force: 0.0,
+                    utilisation: 0.0,
+                    limit: length,
+                    steps: 0,
+                    broken: false,
+                };
+                let now = EnsembleProgress { done: run, planned: scene.runs, run, inner };
+                let flow = tell(scene, now);
+                cancelled |= flow == Flow::Cancel;
+                flow
+            })
+            .map_err(Ended::Bad)?;
+            if cancelled {
+                return Err(Ended::Cancelled);
+            }
+            all.push(outcome);
+        }
+        Ok(all)
     }
 }

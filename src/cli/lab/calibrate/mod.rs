@@ -46,7 +46,7 @@ pub(crate) struct CalibrateArgs {
     /// Diameter of the test's punch.
     #[arg(long, value_name = "M", default_value_t = STANDARD_PUNCH, value_parser = quantity::length, allow_hyphen_values = true)]
     punch: f64,
-    /// Fits the reference mesh to all that the paper has but its Table 1, from two starts: some minutes.
+    /// Fits the reference mesh to all that the paper has but its Table 1, from several starts: some minutes.
     #[arg(long, conflicts_with_all = ["force", "deflection", "panel", "punch", "from", "runs", "seed"])]
     reference_fit: bool,
     /// What to start from: a mesh of the catalogue, a law (bench, yade, reference) or a mesh file.

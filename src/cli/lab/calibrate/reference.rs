@@ -28,7 +28,7 @@ struct Decision {
     question: FitQuestion,
     /// The law from each start, in order.
     found: Vec<(&'static FitStart, FittedLaw)>,
-    /// Number of the one with the lower score.
+    /// Number of the one with the lowest score.
     better: usize,
     command: String,
 }
@@ -58,7 +58,7 @@ pub(super) fn run(args: &CalibrateArgs) -> CommandEnd {
             }
         }
     }
-    watch.finish("both starts");
+    watch.finish("all starts");
     let better = better(found.iter().map(|(_, law)| law));
     let mut command = "meshcast calibrate --reference-fit".to_string();
     if args.fidelity != crate::dem::Fidelity::Standard {
@@ -94,7 +94,7 @@ fn tell(
     };
     let part = number * USUAL * scenes + done.min(USUAL * scenes - 1);
     let label = format!("{}, trial {}: {}", start.name, done / scenes + 1, scene.words);
-    watch.part(&label, part, starts().len() * USUAL * scenes, 0.2 * scene.layout.spacing);
+    watch.part(&label, part, starts().len() * USUAL * scenes, scene.end());
     watch.tell(now)
 }
 
@@ -107,7 +107,7 @@ fn wires(d: &Decision) -> WireData {
         .map(|(start, law)| format!("{} {}", start.name, significant(law.score, 4)))
         .collect();
     let source = format!(
-        "Made by `{}`: started from the {} ({}) and kept because its score is the lower one ({}); fitted to {}. Table 1 was not read",
+        "Made by `{}`: started from the {} ({}) and kept because its score is the lowest ({}); fitted to {}. Table 1 was not read",
         d.command,
         start.name,
         start.words,
@@ -188,7 +188,7 @@ fn text(d: &Decision) -> String {
     }
     let (start, _) = d.found[d.better];
     let decided = format!(
-        "In brackets: (ours - target)/sigma, in logarithms but for the curve. The score is the sum of their squares. The better law by it: from the {}.",
+        "In brackets: (ours - target)/sigma, in logarithms but for the curve. The score is the sum of their squares. The best law by it: from the {}.",
         start.name
     );
     let _ = write!(out, "\n{}\n", wrapped("", &decided, 80).join("\n"));

@@ -132,7 +132,7 @@ pub(crate) fn text(c: &Compared) -> String {
     for paragraph in [
         summary,
         format!("Mean peak, kN: {}", peaks.join("; ")),
-        "law: fitted = the law was fitted to it; in view = the start of the fit was chosen by hand with it in view; after the fact = the explanation was found with it in view; predicted = not looked at.".to_string(),
+        "law: fitted = the law of the reference mesh was fitted to it; in view = much the same as what it was fitted to; after the fact = the explanation was found with it in view; predicted = not read by the fit. k75 is the stiffness at 75 % of the force; the fit takes it by the tangent, and how the paper does is not known.".to_string(),
         "mirrored: blocks of neighbouring cells face each other across the anchor lines; all other anchored rows repeat the same block in every cell, as the paper says of its own. With facing blocks the paper's eccentric results come out, which is an explanation found after the fact and no proof that they were made so. Factors are over the centred block of as many cells, run by run at the same alignment and slack.".to_string(),
         format!("Wire law: {}", c.law),
     ] {
