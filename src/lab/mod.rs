@@ -19,6 +19,6 @@ pub(crate) mod campaign;
 pub(crate) mod convergence;
 pub(crate) mod derive;
 pub(crate) mod estimates;
-pub(crate) mod held_out;
 pub mod fit;
+pub(crate) mod held_out;
 pub(crate) mod paper;
