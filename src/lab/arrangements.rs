@@ -4,7 +4,7 @@
 use super::bench::Listener;
 use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::forecast::published::published;
-use crate::layout::{Blocks, Layout, REFERENCE};
+use crate::layout::{Blocks, Grid, Layout, REFERENCE};
 use crate::mesh::catalogue;
 use crate::problem::Problem;
 use crate::study::blocks;
@@ -55,11 +55,16 @@ pub(crate) struct ArrangementTable {
 pub(crate) fn table(listener: Listener) -> Result<ArrangementTable, Vec<Problem>> {
     let mut scenes = vec![("reference".to_string(), REFERENCE)];
     scenes.extend(published().tests.iter().map(|t| (format!("test {}", t.test), t.layout())));
+    scenes.extend(grids());
     let wire = crate::study::result::make::wires(&catalogue::reference())?.clone();
     let mut table = ArrangementTable::default();
     for (scene, layout) in scenes {
         for blocks in [Blocks::Repeated, Blocks::Mirrored, Blocks::Single] {
             let layout = Layout { blocks, ..layout };
+            if blocks == Blocks::Mirrored && layout.grid.stagger {
+                table.missing.push(format!("{scene}, mirrored: no anchor line to face across"));
+                continue;
+            }
             if blocks == Blocks::Mirrored && layout.folded() == (0.0, 0.0) {
                 table.missing.push(format!("{scene}, mirrored: centred, as repeated"));
                 continue;
@@ -85,6 +90,24 @@ pub(crate) fn table(listener: Listener) -> Result<ArrangementTable, Vec<Problem>
     }
     Ok(table)
 }
+
+/// A rectangular grid and its staggered twin, each with a centred block and with one off the centre.
+fn grids() -> Vec<(String, Layout)> {
+    let at = |stagger: bool, ex: f64, ey: f64| {
+        let grid = Grid { up: Some(3.5), stagger, ..Grid::SQUARE };
+        Layout { spacing: 2.5, grid, ex, ey, ..REFERENCE }
+    };
+    let words = |stagger: bool, place: &str| {
+        format!("2.5x3.5{}{place}", if stagger { " stag" } else { "" })
+    };
+    [false, true]
+        .into_iter()
+        .flat_map(|s| [(words(s, ""), at(s, 0.0, 0.0)), (words(s, " off"), at(s, OFF[0], OFF[1]))])
+        .collect()
+}
+
+/// Offset of the blocks that are off the centre, m.
+const OFF: [f64; 2] = [0.3, 0.6];
 
 fn row(scene: &str, stood: &blocks::Stood) -> ArrangementRow {
     let e = &stood.ensemble;

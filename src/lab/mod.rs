@@ -10,6 +10,7 @@
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
 //! - [`fit`]: a wire law fitted to many figures at once; the wires of the reference mesh.
+//! - [`statements`]: what others say of single blocks.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub(crate) mod arrangements;
@@ -22,3 +23,4 @@ pub(crate) mod estimates;
 pub mod fit;
 pub(crate) mod held_out;
 pub(crate) mod paper;
+pub(crate) mod statements;

@@ -196,7 +196,7 @@ fn prepare(
         forecast = Forecast { other_net: true, ..Forecast::default() };
         case.mesh = Arc::new(mesh);
     }
-    let stretch = scene.lattice.stretch;
+    let stretch = case.layout.turned(scene.lattice.stretch);
     Ok(Ready { name, case, spec, controls, plan, stretch, forecast })
 }
 

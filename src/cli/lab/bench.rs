@@ -11,6 +11,7 @@ use crate::lab::arrangements::{self, ArrangementTable};
 use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::lab::convergence::{self, Sizes, Tables};
 use crate::lab::estimates::{self, EstimatePlan};
+use crate::lab::statements::{self, Statements};
 use crate::project::{SaveError, create};
 use crate::show::glyphs::Glyphs;
 use crate::show::picture::Ink;
@@ -59,6 +60,9 @@ pub(crate) struct BenchArgs {
     /// Only this fidelity in `--estimate`; may be given several times [default: quick, standard, fine].
     #[arg(long, value_name = "FIDELITY", value_parser = one_of(Fidelity::ALL), requires = "estimate")]
     fidelity: Vec<Fidelity>,
+    /// Five statements of others about one block on a large mesh instead, each yes or no with our figures.
+    #[arg(long, conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
+    statements: bool,
     /// Draws the plot to a new file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -108,6 +112,14 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
     }
     if args.estimate {
         return estimate(args, listener);
+    }
+    if args.statements {
+        let all = statements::statements(listener)?;
+        let result = match args.format {
+            Format::Text => statements_text(&all),
+            Format::Json => whole("bench --statements", &all)?,
+        };
+        return Ok(Output { result, interrupted: all.part, ..Output::default() });
     }
     let Table { rows, known, part } = table(&names, listener)?;
     if let (Some(path), false) = (&args.svg, part) {
@@ -370,13 +382,13 @@ fn arrangements_text(table: &ArrangementTable) -> String {
     let mut out = String::from(
         "Blocks as they may stand: quick runs at the same alignments, one thread; first break, force per\n\
          block; worst anchor over that force, out of the plane and in it; most anchors that carry 90 %\n\n\
-         scene      F kN  s.e.  delta m   s.e.  anchor       90 %   ms   ns  blocks\n",
+         scene             F kN  s.e.  delta m   s.e.  anchor       90 %   ms   ns  blocks\n",
     );
     for r in &table.rows {
         let anchor = r.anchor.map_or("-".into(), |[n, p]| format!("{n:.2} {p:.2}"));
         let _ = writeln!(
             out,
-            "{:<9} {:>5.1} {:>5.2}   {:>6.3} {:>6.3}  {anchor:<11} {:>5} {:>4.0} {:>4.2}  {}",
+            "{:<16} {:>5.1} {:>5.2}   {:>6.3} {:>6.3}  {anchor:<11} {:>5} {:>4.0} {:>4.2}  {}",
             r.scene,
             r.force_kn[0],
             r.force_kn[1],
@@ -390,6 +402,41 @@ fn arrangements_text(table: &ArrangementTable) -> String {
     }
     for missing in &table.missing {
         let _ = writeln!(out, "{missing}");
+    }
+    out
+}
+
+/// The statements of others about single blocks.
+fn statements_text(all: &Statements) -> String {
+    let mut out = String::from(
+        "One block on a large mesh: quick runs at the same alignments and slack, first break; changes against\n\
+         the first row run by run, of fields against the row above; where the first bond broke (block, plate,\n\
+         between, none), how many of these are twists, most anchors that carry 90 %\n\n\
+         scene           F kN  s.e.  delta m   s.e.    dF %  s.e.  ddelta %  s.e.  broke first  tw 90 %    ms\n",
+    );
+    for r in all.scenes.iter().chain(&all.fields) {
+        let change = |change: Option<[f64; 2]>| {
+            change.map_or("-".into(), |[c, e]| format!("{:+.1} {:>5.1}", 100.0 * c, 100.0 * e))
+        };
+        let [block, plate, between, none] = r.places;
+        let _ = writeln!(
+            out,
+            "{:<14} {:>5.1} {:>5.2}   {:>6.3} {:>6.3}  {:>12}  {:>12}  {block:>2} {plate:>2} {between:>2} {none:>2}  {:>2}  {:>3} {:>5.0}",
+            r.scene,
+            r.force_kn[0],
+            r.force_kn[1],
+            r.delta_m[0],
+            r.delta_m[1],
+            change(r.force_change),
+            change(r.delta_change),
+            r.twists,
+            r.carrying,
+            r.ms
+        );
+    }
+    for answer in &all.answers {
+        let yes = if answer.holds { "yes" } else { "no" };
+        let _ = write!(out, "\n{yes}: {}\n     {}\n", answer.says, answer.judged);
     }
     out
 }

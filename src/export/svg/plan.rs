@@ -187,6 +187,8 @@ fn directions(layout: &Layout, drawing: &mut Drawing) {
             let at = x + column + shift;
             for row in [0.0, 40.0] {
                 let ends = [from + row, from + row + 18.0].map(|along| {
+                    // Across there is less room.
+                    let along = layout.turned([along, 0.7 * along])[0];
                     let [x, y] = layout.turned([at - left, along]);
                     (x + left, y + top)
                 });
