@@ -11,6 +11,7 @@
 //! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
 //! - [`fit`]: a wire law fitted to many figures at once; the wires of the reference mesh.
 //! - [`statements`]: what others say of single blocks.
+//! - [`reproduce`]: the paper's figures and tables from our simulations.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
 pub(crate) mod arrangements;
@@ -24,3 +25,4 @@ pub mod fit;
 pub(crate) mod held_out;
 pub(crate) mod paper;
 pub(crate) mod statements;
+pub(crate) mod reproduce;

@@ -167,3 +167,39 @@ fn a_layout_keeps_its_method_in_its_file() {
     let refused = super::refused(&["forecast", super::shown(&path)]);
     assert!(refused.contains("method") && refused.contains("pol-gabrieli-2021"), "{refused}");
 }
+
+#[test]
+fn layouts_that_no_fit_saw_are_held_against_both_methods() {
+    let said = good(&["held-out", "--layouts", "6", "--seed", "5", "--threads", "1"]);
+    for part in
+        ["6 drawn of 6, seed 5", "left out:", "centred, D from 0.4 m", "published delta", "aims"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    // The seed of the shipped methods' campaigns.
+    let seen = run(&["held-out", "--layouts", "6", "--seed", "1"]);
+    assert!(seen.code == 2 && seen.err.contains("was made from runs of this seed"), "{}", seen.err);
+}
+
+#[test]
+fn a_reproduction_of_too_few_runs_is_refused() {
+    let refused = run(&["reproduce", "--runs", "5"]);
+    assert!(refused.code == 2 && refused.err.contains("60"), "{}", refused.err);
+}
+
+#[test]
+#[ignore = "takes half a minute"]
+fn the_papers_figures_and_tables_are_made_with_their_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let written = good(&["reproduce", "--runs", "60", "--out", out]);
+    assert_eq!(written.lines().count(), 5, "{written}");
+    let text = fs::read_to_string(folder.path().join("reproduced.txt")).unwrap();
+    for part in
+        ["Eq. 1", "k75 at L = 2 m", "alpha_F", "Eq. 3", "test 5, mirrored", "after the fact"]
+    {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let picture = fs::read_to_string(folder.path().join("fig7a.svg")).unwrap();
+    roxmltree::Document::parse(&picture).unwrap();
+}

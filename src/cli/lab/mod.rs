@@ -1,4 +1,4 @@
-//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`held_out`], [`validate`].
+//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`held_out`], [`reproduce`], [`validate`].
 
 pub(crate) mod bench;
 pub(crate) mod calibrate;
@@ -6,4 +6,5 @@ pub(crate) mod campaign;
 pub(crate) mod derive;
 mod estimates;
 pub(crate) mod held_out;
+pub(crate) mod reproduce;
 pub(crate) mod validate;
