@@ -158,8 +158,9 @@ mod tests {
             let mut before = force(0.1, plate);
             for k in 11..100 {
                 let now = force(f64::from(k) / 100.0, plate);
-                // A centimetre more of block is at most a tenth more of force where the force goes with D.
-                assert!(now > before * 0.999 && now < before * 1.12, "d {plate}, D 0.{k}");
+                // A centimetre more of block is at most a tenth more of force where the force goes with D, and
+                // no loss beyond what the scatter of the runs leaves in the exponents.
+                assert!(now > before * 0.998 && now < before * 1.12, "d {plate}, D 0.{k}");
                 before = now;
             }
         }

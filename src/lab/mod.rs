@@ -24,5 +24,5 @@ pub(crate) mod estimates;
 pub mod fit;
 pub(crate) mod held_out;
 pub(crate) mod paper;
-pub(crate) mod statements;
 pub(crate) mod reproduce;
+pub(crate) mod statements;
