@@ -15,7 +15,6 @@ pub(crate) enum EditTarget {
     Name,
     /// The note of the selected layout.
     Note,
-    /// A command.
     Command,
     /// A project to open.
     File,

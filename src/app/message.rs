@@ -48,6 +48,8 @@ pub enum Message {
     Held(Option<Holder>),
     /// Whether the file on disk is another one than was last read or written.
     ChangedOnDisk(bool),
+    /// What another lost session kept, where the last one's was let go.
+    Kept(KeptEdits),
 }
 
 /// A save that worked.
@@ -167,7 +169,6 @@ pub enum Command {
     Export {
         /// What.
         kind: ExportKind,
-        /// Of this project.
         project: Arc<Project>,
         /// Whether it has edits that are not in its file.
         edited: bool,
@@ -194,10 +195,7 @@ pub enum Command {
         settings: Settings,
     },
     /// Put a text into the clipboard of the terminal, if it takes that.
-    Copy {
-        /// The text.
-        text: String,
-    },
+    Copy { text: String },
     /// Look for project files, and answer with [`Message::Projects`].
     ListProjects,
     /// Read a project that is to take the place of this one, and answer with [`Message::Opened`].

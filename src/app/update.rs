@@ -69,6 +69,10 @@ impl App {
                 self.held(holder);
                 Vec::new()
             }
+            Message::Kept(kept) => {
+                self.screen.show(Mode::ConfirmRecovery { kept });
+                Vec::new()
+            }
             Message::ChangedOnDisk(changed) => {
                 self.changed(changed);
                 Vec::new()

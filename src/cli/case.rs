@@ -37,7 +37,6 @@ pub(crate) struct Source {
 pub(crate) struct NamedCase {
     /// Name of the layout, where it is one of a project.
     pub(crate) name: Option<String>,
-    /// The case.
     pub(crate) case: Case,
     /// The check that the project keeps of the layout, whether or not its inputs are still these.
     pub(crate) check: Option<Arc<CheckResult>>,

@@ -18,7 +18,6 @@ pub struct Energies {
     pub kinetic: f64,
     /// Absorbed by the bonds so far, elastic, plastic and by rupture.
     pub bonds: f64,
-    /// In the contacts.
     pub contact: f64,
 }
 

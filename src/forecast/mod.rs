@@ -394,6 +394,13 @@ fn range_warnings(layout: &Layout, warnings: &mut Vec<Warning>) {
         push_range(warning::SPACING, layout.spacing, warnings);
     }
     push_range(warning::PUNCH, layout.punch, warnings);
+    if !warning::PLATE.holds(layout.plate)
+        && warning::PLATE.holds(layout.punch)
+        && layout.punch < layout.plate
+        && warning::PUNCH.holds(layout.plate)
+    {
+        warnings.push(Warning::Swapped);
+    }
     let (ex, ey) = layout.folded();
     if (ex, ey) != (layout.ex, layout.ey) {
         warnings.push(Warning::EccentricityFolded { ex, ey });

@@ -78,6 +78,8 @@ pub enum Warning {
     },
     /// Mirrored blocks of neighbouring cells would overlap.
     BlocksOverlap,
+    /// The plate is as large as blocks are and the block as small as plates: are d and D swapped?
+    Swapped,
     /// The laboratory record is far from what such tests give.
     ImplausibleLaboratory {
         /// Its force, N.
@@ -161,6 +163,7 @@ impl Warning {
             Warning::PassesThrough { .. } => NoField::PassesThrough.code(),
             Warning::GridWithoutRelation { .. } => NoField::Grid.code(),
             Warning::BlocksOverlap => NoField::Overlap.code(),
+            Warning::Swapped => "d_and_D_swapped",
             Warning::ImplausibleLaboratory { .. } => "implausible_laboratory",
             Warning::StrengthOnly => "strength_only",
             Warning::NearBranchChange { .. } => "near_branch_change",
@@ -202,6 +205,7 @@ impl Warning {
                 format!("laboratory {}: units?", record(*force, *deflection, ", "))
             }
             Warning::StrengthOnly => "no deflection: forces only".into(),
+            Warning::Swapped => "are d and D swapped?".into(),
             Warning::NearBranchChange { other, .. } => {
                 format!("near D = d: other {} kN", significant(other / 1000.0, 3))
             }
@@ -250,6 +254,9 @@ impl Warning {
                 "the laboratory record of {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
                 record(*force, *deflection, " at ")
             ),
+            Warning::Swapped => {
+                "the plate d is larger than any that was tested and the block D as small as a plate: are the two swapped?".into()
+            }
             Warning::StrengthOnly => {
                 "the laboratory record has no deflection: forces are given, and no deflection, curve, stiffness or energy".into()
             }

@@ -78,7 +78,6 @@ pub(crate) fn errors(outcome: &RunOutcome, reference: &RunOutcome) -> Option<Err
 /// One row of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BenchRow {
-    /// Scene.
     pub scene: String,
     /// Fidelity, or `plain`.
     pub fidelity: String,
@@ -112,7 +111,6 @@ pub struct BenchRow {
 /// How well the reference itself is known: the change of its three figures when its speed is halved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct KnownError {
-    /// Scene.
     pub(crate) scene: String,
     /// Changes, %.
     #[serde(rename = "F_pct")]

@@ -20,7 +20,6 @@ use serde::Serialize;
 /// One row of a table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct ConvergenceRow {
-    /// Scene.
     pub scene: String,
     /// Which knob. `speed`: punch travel per step; `step`: step factor at the same punch speed, so with
     /// the travel per step in proportion; `damping`; `precision` and `unloading`: the shortcuts.
@@ -283,7 +282,6 @@ pub(crate) struct SizeRow {
     /// Side of the panel, m.
     #[serde(rename = "L")]
     pub(crate) spacing: f64,
-    /// Nodes.
     pub(crate) nodes: usize,
     /// Steps to the first break.
     pub(crate) steps: usize,
@@ -296,7 +294,6 @@ pub(crate) struct SizeRow {
 /// Cost against size.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct Sizes {
-    /// Rows.
     pub(crate) rows: Vec<SizeRow>,
     /// Fitted exponents of nodes of the processor time, punch fixed and in proportion.
     pub(crate) exponents: Vec<f64>,

@@ -188,14 +188,34 @@ mod system {
     pub(in crate::project) fn user_and_host() -> (String, String) {
         let named = ["USER", "LOGNAME"].iter().find_map(|name| std::env::var(name).ok());
         let named = named.filter(|name| !name.trim().is_empty());
-        let user = named.unwrap_or_else(|| format!("user {}", rustix::process::getuid().as_raw()));
+        let number = rustix::process::getuid().as_raw();
+        let listed =
+            || fs::read_to_string("/etc/passwd").ok().and_then(|all| name_in(&all, number));
+        let user = named.or_else(listed).unwrap_or_else(|| format!("user {number}"));
         let host = rustix::system::uname().nodename().to_string_lossy().into_owned();
         (user, host)
+    }
+
+    /// The name of a user in the system's list of them, a line each: `name:x:number:...`.
+    fn name_in(list: &str, number: u32) -> Option<String> {
+        list.lines().find_map(|line| {
+            let mut parts = line.split(':');
+            let (name, _, theirs) = (parts.next()?, parts.next()?, parts.next()?);
+            (theirs.parse() == Ok(number) && !name.is_empty()).then(|| name.to_owned())
+        })
     }
 
     #[cfg(test)]
     mod tests {
         use super::*;
+
+        #[test]
+        fn a_user_without_a_variable_has_the_name_of_the_systems_list() {
+            let list =
+                "root:x:0:0:root:/root:/bin/sh\n# rem\n:x:7::\nanna:x:1000:1000::/home/anna:\n";
+            assert_eq!(name_in(list, 1000).as_deref(), Some("anna"));
+            assert_eq!((name_in(list, 7), name_in(list, 1001)), (None, None));
+        }
 
         #[test]
         fn a_fault_of_the_disk_is_told_apart_from_a_disk_that_cannot() {

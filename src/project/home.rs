@@ -143,14 +143,15 @@ impl Home {
     /// directory and the error let a caller tell.
     pub fn remember(&self, path: &Path) -> io::Result<bool> {
         let Some(file) = self.state_file() else { return Ok(false) };
-        let path = std::path::absolute(path)?;
+        // One name for one file, however it was reached.
+        let path = fs::canonicalize(path).or_else(|_| std::path::absolute(path))?;
         rewrite(&file, |old| {
             // A list that cannot be read is made anew; the start has said so.
             let mut state: State = old.and_then(|old| known(old).ok()).unwrap_or_default();
             if state.recent.first() == Some(&path) {
                 return Ok(None);
             }
-            state.recent.retain(|p| *p != path);
+            state.recent.retain(|p| *p != path && fs::canonicalize(p).ok().as_ref() != Some(&path));
             state.recent.insert(0, path.clone());
             state.recent.truncate(MOST_RECENT);
             let text = ron::ser::to_string_pretty(&state, ron::ser::PrettyConfig::new())

@@ -119,8 +119,8 @@ impl Document {
     }
 
     /// Unsaved work of an earlier run on this file that differs from what the file holds now, and
-    /// belongs to no living session. The newest, where there are several; the others wait for the next
-    /// start.
+    /// belongs to no living session. The newest, where there are several; while that is there, the next
+    /// call finds the next.
     pub fn find_recovery(&self, home: &Home) -> Option<Recovery> {
         let mut found: Option<Recovery> = None;
         let places = places(self.file().as_deref(), home);

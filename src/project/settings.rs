@@ -18,7 +18,6 @@ use std::path::PathBuf;
 /// A setting that the file may hold.
 #[derive(Debug, Clone)]
 pub(crate) struct KnownSettings {
-    /// Its name.
     pub(crate) name: &'static str,
     /// What it may be, for messages and comments.
     pub(crate) allowed: String,

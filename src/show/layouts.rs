@@ -21,7 +21,6 @@ use crate::words::Choice;
 
 /// A layout with what follows from it.
 pub(crate) struct LayoutRow<'a> {
-    /// Its name.
     pub(crate) name: &'a str,
     /// Identifier of its mesh.
     pub(crate) mesh: &'a str,

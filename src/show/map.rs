@@ -101,6 +101,13 @@ pub(crate) fn shades((least, most): (f64, f64)) -> impl Iterator<Item = (char, f
     SHADES.into_iter().enumerate().map(move |(i, sign)| (sign, least + step * i as f64))
 }
 
+/// What the marks of a verdict mean, of those that stand in some cells.
+pub(crate) fn marks_legend(marks: &[char]) -> String {
+    let all = [('x', "x fails"), ('?', "? behind a value: doubtful")];
+    let there = all.iter().filter(|row| marks.contains(&row.0)).map(|row| row.1);
+    there.collect::<Vec<&str>>().join(", ")
+}
+
 /// The legend of the signs that stand in some cells, empty where there are none.
 pub(crate) fn legend<'a>(cells: impl Iterator<Item = &'a Cell> + Clone) -> String {
     let there = |why: NoCell| cells.clone().any(|cell| *cell == Cell::None(why));
@@ -159,6 +166,8 @@ pub(crate) struct MapLayer<'a> {
     pub(crate) cells: &'a [Cell],
     /// What they stand for.
     pub(crate) ink: Ink,
+    /// Marks of the verdict, cell by cell: `x` and `?` are drawn in it. Empty where nothing is asked.
+    pub(crate) marks: &'a [char],
 }
 
 /// A map to draw.
@@ -197,6 +206,13 @@ pub(crate) fn draw(map: &CellMap) -> Picture {
                 let ink = if map.marked == Some(index) { Ink::Selected } else { layer.ink };
                 let text = text(layer.cells.get(index), map, fit.cell);
                 picture.put(line, LEFT + at * fit.cell, &text, ink);
+                if let Some(mark @ ('x' | '?')) = layer.marks.get(index)
+                    && matches!(layer.cells.get(index), Some(Cell::Value(_)))
+                {
+                    // In the last column of the cell, which else is blank or a repeated sign.
+                    let ink = if map.marked == Some(index) { ink } else { Ink::Caution };
+                    picture.put(line, LEFT + (at + 1) * fit.cell - 1, &mark.to_string(), ink);
+                }
             }
         }
     }
@@ -247,7 +263,7 @@ mod tests {
         let map = CellMap {
             fit: &fit,
             labels: (vec!["2.00".into(), "3.00".into()], vec!["0.5".into(), "1.5".into()]),
-            layers: &[MapLayer { cells, ink: Ink::Text }],
+            layers: &[MapLayer { cells, ink: Ink::Text, marks: &[] }],
             ends: (10.0, 20.0),
             number: &|v| format!("{v:.1}"),
             marked: Some(3),
@@ -274,6 +290,33 @@ mod tests {
         let narrow = drawn(&cells, 15, Glyphs::Block);
         assert_eq!(narrow[..2], ["    1.5 │PPP+++", "    0.5 │...@@@"]);
         assert_eq!(narrow[3], "         2.00 3.00");
+    }
+
+    #[test]
+    fn a_verdict_stands_in_the_last_column_of_its_cell() {
+        let rows = [0.5];
+        let draw_in = |width| {
+            let fit = Fit::new(2, &rows, width, 9);
+            let layer = MapLayer {
+                cells: &[Cell::Value(10.0), Cell::Value(20.0)],
+                ink: Ink::Text,
+                marks: &['x', '+'],
+            };
+            draw(&CellMap {
+                fit: &fit,
+                labels: (vec!["2.00".into(), "3.00".into()], vec!["0.5".into()]),
+                layers: &[layer],
+                ends: (10.0, 20.0),
+                number: &|v| format!("{v:.1}"),
+                marked: None,
+                glyphs: Glyphs::Ascii,
+            })
+            .lines()
+            .remove(0)
+        };
+        assert_eq!(draw_in(40), "    0.5 |.10.0 x@20.0");
+        assert_eq!(draw_in(15), "    0.5 |..x@@@");
+        assert_eq!(marks_legend(&['+', 'x', ' ']), "x fails");
     }
 
     #[test]

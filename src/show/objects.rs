@@ -61,7 +61,6 @@ pub(crate) fn maybe_pair<D: Into<Option<f64>>>(pair: Option<(f64, D)>) -> Object
     Object::new().with("F_kN", force).with("delta_m", deflection.flatten())
 }
 
-/// A curve.
 pub(crate) fn curve(curve: &Curve) -> Object {
     Object::new()
         .with("delta_m", Value::Numbers(curve.deflection.clone()))

@@ -11,7 +11,6 @@ pub(crate) enum Ink {
     Title,
     /// What is selected.
     Selected,
-    /// The forecast.
     Forecast,
     /// The check by simulation.
     Check,

@@ -9,7 +9,6 @@ pub(crate) struct StripMark {
     pub(crate) to: f64,
     /// The values of the line's first and last column.
     pub(crate) ends: (f64, f64),
-    /// The sign.
     pub(crate) sign: char,
 }
 

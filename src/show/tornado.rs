@@ -12,7 +12,6 @@ use crate::units::LengthUnit;
 /// One input of a tornado.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TornadoRow {
-    /// The input.
     pub(crate) input: Input,
     /// Between which values it is moved, with their unit.
     pub(crate) range: String,

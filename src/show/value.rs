@@ -17,7 +17,6 @@ pub(crate) enum Value {
     Count(u64),
     /// Yes or no.
     Flag(bool),
-    /// A text.
     Text(Cow<'static, str>),
     /// Stable identifiers.
     Codes(Vec<&'static str>),

@@ -3,7 +3,9 @@
 use super::objects;
 use super::value::{NamedColumn, Object, Value, kn};
 use crate::case::{Case, CaseValue};
+use crate::study::checks::CheckAnswer;
 use crate::study::mend::mend;
+use crate::study::sweep::Grid;
 use crate::study::verdict::{
     Aspect, Basis, Checked, Finding, Judge, Simulated, State, Verdict, VerdictRemark, verdict,
 };
@@ -146,6 +148,25 @@ fn mended(case: &Case, v: &Verdict) -> Option<String> {
         }
         None => "not mended by plate or spacing alone within the published ranges".into(),
     })
+}
+
+/// The marks of the verdicts on the points of a sweep, by their forecasts and the checks that there are;
+/// none where nothing is asked.
+pub(crate) fn marks(
+    base: &Case,
+    grid: &Grid,
+    points: &[CaseValue],
+    answers: &[CheckAnswer],
+    basis: Basis,
+) -> Vec<char> {
+    if !base.question.asks() {
+        return Vec::new();
+    }
+    let mark = |(index, outcome): (usize, &CaseValue)| {
+        let made = answers.get(index).map_or(Simulated::Missing, Simulated::made);
+        verdict(&grid.case(base, index), outcome, made, basis).finding().mark()
+    };
+    points.iter().enumerate().map(mark).collect()
 }
 
 /// The verdict on a case by its forecast alone, in a few words; nothing where nothing is asked.

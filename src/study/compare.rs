@@ -13,7 +13,6 @@ use std::cmp::Ordering;
 /// One layout of the comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompareRow {
-    /// Its name.
     pub name: String,
     /// What is forecast.
     pub case: Case,
@@ -172,7 +171,6 @@ pub struct Comparison {
 /// A layout to be compared.
 #[derive(Debug, Clone)]
 pub(crate) struct LayoutToCompare<'a> {
-    /// Its name.
     pub(crate) name: String,
     /// What is forecast.
     pub(crate) case: Case,
@@ -215,6 +213,13 @@ fn governing(rows: &[CompareRow]) -> Option<Governing> {
 }
 
 impl Comparison {
+    /// Whether the records of some meshes are means and those of others characteristic values.
+    pub(crate) fn mixed(&self) -> bool {
+        let kinds = self.rows.iter().map(|row| row.case.mesh.laboratory.statistic);
+        let first = self.rows.first().map(|row| row.case.mesh.laboratory.statistic);
+        kinds.into_iter().any(|kind| Some(kind) != first)
+    }
+
     /// Fingerprint of all layouts with their names, in the project's order.
     pub(crate) fn fingerprint(&self) -> Fingerprint {
         let all = Fingerprinter::new("compare");
@@ -290,6 +295,15 @@ mod tests {
         assert_eq!(c.governing, Some(Governing { row: 1, by: Some(Aspect::Deflection) }));
         assert_eq!(c.sorted(Column::Use, true), [1, 0]);
         assert_eq!(c.sorted(Column::Utilisation, true), [0, 1]);
+    }
+
+    #[test]
+    fn a_mean_beside_a_characteristic_value_is_remarked() {
+        assert!(!three([None; 3]).mixed() && !compare([], Basis::Mean).mixed());
+        let mut cases = [case(REFERENCE, None), case(REFERENCE, None)];
+        let record = &mut std::sync::Arc::make_mut(&mut cases[1].mesh).laboratory;
+        record.statistic = crate::mesh::Statistic::Characteristic;
+        assert!(all(["a", "b"].map(String::from).into_iter().zip(cases)).mixed());
     }
 
     #[test]

@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 pub struct ExportWanted<'a> {
     /// What it is.
     pub kind: ExportKind,
-    /// Of this project.
     pub project: &'a Project,
     /// Whether the project has edits that are not in its file.
     pub edited: bool,

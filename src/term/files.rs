@@ -212,10 +212,12 @@ impl Host for FileHost {
         *lock(&self.own) = Some(OwnRecovery::adopt(kept, &document));
     }
 
-    fn drop_kept(&self) {
-        if let Some(kept) = lock(&self.offered).take() {
-            kept.discard();
-        }
+    fn drop_kept(&self) -> Option<KeptEdits> {
+        let mut offered = lock(&self.offered);
+        offered.take()?.discard();
+        let (recovery, kept) = offer(&self.document(), &self.home).0?;
+        *offered = Some(recovery);
+        Some(kept)
     }
 
     fn list(&self) -> Vec<FoundProject> {
@@ -315,21 +317,32 @@ impl Host for FileHost {
 fn begin(document: &Document, home: &Home, claim: &Claimed) -> (Option<Recovery>, Beginning) {
     let holder = claim.holder().cloned();
     let held = holder.as_ref().map(|holder| format!("held by {}; {READS_ONLY}", holder.text()));
-    let recovery = document.find_recovery(home);
-    let (kept, unreadable) = match recovery.as_ref().map(|kept| (kept, document.recover(kept))) {
-        Some((kept, Ok(project))) => (
-            Some(KeptEdits { about: about(document, kept, &project), project: Arc::new(project) }),
-            None,
-        ),
-        Some((kept, Err(_))) => {
-            let path = kept.path.display();
-            (None, Some(format!("edits kept from a lost session cannot be read: {path}")))
-        }
-        None => (None, None),
-    };
+    let (found, unreadable) = offer(document, home);
+    let (offered, kept) = found.unzip();
+    let unreadable = unreadable
+        .map(|path| format!("edits kept from a lost session cannot be read: {}", path.display()));
     let note = held.or(unreadable).or_else(|| migrated(document));
-    let offered = recovery.filter(|_| kept.is_some());
     (offered, Beginning { kept, holder, note })
+}
+
+/// The newest edits that a lost session kept and that can be read; one passed over on the way to them,
+/// which cannot.
+fn offer(document: &Document, home: &Home) -> (Option<(Recovery, KeptEdits)>, Option<PathBuf>) {
+    // Not found again as long as they are there, but by a disk without locks.
+    let mut unreadable: Vec<Recovery> = Vec::new();
+    let mut found = None;
+    while let Some(kept) = document.find_recovery(home) {
+        if let Ok(project) = document.recover(&kept) {
+            let about = about(document, &kept, &project);
+            found = Some((kept, KeptEdits { about, project: Arc::new(project) }));
+            break;
+        }
+        if unreadable.iter().any(|other| other.path == kept.path) {
+            break;
+        }
+        unreadable.push(kept);
+    }
+    (found, unreadable.into_iter().next().map(|kept| kept.path))
 }
 
 /// Of kept edits: when they were made and the file was, and what differs.

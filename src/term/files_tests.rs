@@ -117,6 +117,28 @@ fn another_project_takes_the_place_of_the_former_and_its_recovery_file_is_its_ow
 }
 
 #[test]
+fn edits_of_several_lost_sessions_are_offered_in_turn() {
+    let (_dir, path, files, project) = open();
+    drop(files);
+    let home = Home::at(Some(path.with_file_name("data")));
+    let session = || FileHost::new(project::load(&path).unwrap().document, home.clone());
+    let (first, second, third) = (session().0, session().0, session().0);
+    first.recover(&edited(&project, "first")).unwrap();
+    let broken = second.recover(&edited(&project, "second")).unwrap();
+    third.recover(&edited(&project, "third")).unwrap();
+    drop((first, second, third));
+    std::fs::write(&broken, "(version: 2, name: ").unwrap();
+
+    let (asked, beginning) = session();
+    let names = [beginning.kept, asked.drop_kept(), asked.drop_kept()];
+    let mut names = names.map(|kept| kept.map(|kept| kept.project.name.clone()));
+    // Of equal age either may come first.
+    names[..2].sort();
+    assert_eq!(names, [Some("first".into()), Some("third".into()), None]);
+    assert!(broken.exists(), "what cannot be read is not thrown away");
+}
+
+#[test]
 fn a_project_opened_again_does_not_offer_the_edits_of_this_session() {
     let (_dir, path, files, project) = open();
     let kept = files.recover(&edited(&project, "let go")).unwrap();

@@ -3,7 +3,8 @@
 use super::exports::ExportWanted;
 use crate::app::look::Look;
 use crate::app::message::{
-    Command, Exported, FoundProject, Message, OpenFailure, OpenedProject, SaveFailure, Saved,
+    Command, Exported, FoundProject, KeptEdits, Message, OpenFailure, OpenedProject, SaveFailure,
+    Saved,
 };
 use crate::app::settings::{SettingItem, Settings};
 use crate::project::{Holder, Project};
@@ -76,8 +77,10 @@ pub trait Host: Send + Sync {
     /// What a lost session kept was taken back: its recovery file is this session's now.
     fn take_kept(&self) {}
 
-    /// What a lost session kept is not wanted.
-    fn drop_kept(&self) {}
+    /// What a lost session kept is not wanted; what another one kept, if there is more.
+    fn drop_kept(&self) -> Option<KeptEdits> {
+        None
+    }
 
     /// Keeps a setting that was changed; says what the user should know of it, or why it cannot be done. A host
     /// without a place for them forgets them.

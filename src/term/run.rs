@@ -172,10 +172,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 self.host.take_kept();
                 None
             }
-            Command::DropKept => {
-                self.host.drop_kept();
-                None
-            }
+            Command::DropKept => self.host.drop_kept().map(Message::Kept),
             Command::LetGo => {
                 self.host.let_go();
                 None

@@ -2,6 +2,7 @@
 
 mod bench;
 mod campaign;
+mod cases;
 mod check;
 mod errors;
 mod exporting;

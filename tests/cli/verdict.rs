@@ -157,3 +157,16 @@ fn a_sweep_over_the_spacing_fails_from_1_87_m_on() {
     let value = both["crossings"][0]["value_m"].as_f64().unwrap();
     assert!((value - 1.871).abs() < 1e-3 && both["crossings"][0]["advised"] == true, "{both}");
 }
+
+#[test]
+fn plate_and_block_that_were_swapped_are_asked_about() {
+    let codes = |d: &str, big: &str| {
+        let v = json(&["forecast", "-d", d, "-D", big]);
+        let all = v["warnings"].as_array().unwrap().clone();
+        all.iter().any(|w| w["code"] == "d_and_D_swapped")
+    };
+    assert_eq!(
+        [codes("0.6", "0.25"), codes("0.25", "0.6"), codes("0.3", "0.2")],
+        [true, false, false]
+    );
+}

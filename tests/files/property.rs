@@ -51,44 +51,64 @@ const PIECES: &[&str] = &[
     "#![enable(",
 ];
 
-proptest! {
-    // 400 cases of up to eight changes each run in about a second; what they may find is a panic,
-    // an endless loop or a message that does not fit, each of which shows in few cases if at all.
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+/// Places, lengths and pieces of changes.
+fn changes() -> impl Strategy<Value = Vec<(Index, usize, Index)>> {
+    prop::collection::vec((any::<Index>(), 0usize..40, any::<Index>()), 1..8)
+}
 
-    #[test]
-    fn spoilt_texts_are_opened_or_refused_and_nothing_else(
-        which in any::<Index>(),
-        changes in prop::collection::vec((any::<Index>(), 0usize..40, any::<Index>()), 1..8),
-    ) {
-        let texts = texts();
-        let mut text: Vec<char> = which.get(&texts).chars().collect();
-        for (at, cut, piece) in changes {
-            let at = at.index(text.len() + 1);
-            let end = (at + cut % 20).min(text.len());
-            // Half of the changes only put something in.
-            let end = if cut < 20 { at } else { end };
-            text.splice(at..end, piece.get(PIECES).chars());
+/// Spoils a good text; it is then a project that can be edited and saved, or refused in a few lines.
+fn spoilt(which: Index, changes: Vec<(Index, usize, Index)>) -> Result<(), TestCaseError> {
+    let texts = texts();
+    let mut text: Vec<char> = which.get(&texts).chars().collect();
+    for (at, cut, piece) in changes {
+        let at = at.index(text.len() + 1);
+        let end = (at + cut % 20).min(text.len());
+        // Half of the changes only put something in.
+        let end = if cut < 20 { at } else { end };
+        text.splice(at..end, piece.get(PIECES).chars());
+    }
+    let text: String = text.into_iter().collect();
+    match project::parse(&text, "spoilt") {
+        Ok(opened) => {
+            prop_assert_eq!(opened.project.check(), Ok(()));
+            let mut edited = opened.project.clone();
+            edited.site = "elsewhere".into();
+            let rendered = opened.document.render(&edited).unwrap();
+            let again = project::parse(&rendered.text, "again")
+                .map_err(|e| TestCaseError::fail(format!("{e}\n{}", rendered.text)))?;
+            prop_assert_eq!(again.project, edited);
         }
-        let text: String = text.into_iter().collect();
-        match project::parse(&text, "spoilt") {
-            Ok(opened) => {
-                prop_assert_eq!(opened.project.check(), Ok(()));
-                let mut edited = opened.project.clone();
-                edited.site = "elsewhere".into();
-                let rendered = opened.document.render(&edited).unwrap();
-                let again = project::parse(&rendered.text, "again").map_err(|e| {
-                    TestCaseError::fail(format!("{e}\n{}", rendered.text))
-                })?;
-                prop_assert_eq!(again.project, edited);
-            }
-            Err(error) => {
-                let said = error.to_string();
-                prop_assert!(said.lines().count() <= 15, "{}", said);
-                prop_assert!(said.lines().count() >= 2, "{}", said);
-            }
+        Err(error) => {
+            let said = error.to_string();
+            prop_assert!((2..=15).contains(&said.lines().count()), "{}", said);
         }
     }
+    Ok(())
+}
+
+proptest! {
+    // Up to eight changes a case, the 2,000 in about five seconds; what they may find is a panic, an
+    // endless loop or a message that does not fit.
+    #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn spoilt_texts_are_opened_or_refused_and_nothing_else(which in any::<Index>(), changes in changes()) {
+        spoilt(which, changes)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    #[ignore = "an attack of a minute: cargo test --test files -- --ignored"]
+    fn many_spoilt_texts_are_opened_or_refused_and_nothing_else(which in any::<Index>(), changes in changes()) {
+        spoilt(which, changes)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn anything_at_all_is_no_reason_to_panic(text in "\\PC{0,60}") {

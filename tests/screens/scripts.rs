@@ -184,11 +184,13 @@ fn a_layout_and_a_text_are_found_by_a_part() {
 }
 
 #[test]
-fn the_last_layout_stays() {
+fn the_last_layout_can_go_and_come_back() {
     let mut app = app();
     press(&mut app, "xxxxx");
-    assert_eq!(app.project().layouts.len(), 1);
-    assert!(text(&app).contains("keeps at least one layout"));
+    assert!(app.project().layouts.is_empty());
+    assert!(text(&app).contains("no layouts yet"), "{}", text(&app));
+    press(&mut app, "u");
+    assert_eq!(app.layout().name, "gully");
 }
 
 #[test]
@@ -386,6 +388,11 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
     let mut app = open();
     assert!(matches!(press(&mut app, "d")[..], [Command::DropKept]));
     assert!(!app.edited());
+    // Of another lost session there is more: that is asked about too.
+    app.update(Message::Kept(KeptEdits { project: Arc::new(kept.clone()), about: Vec::new() }));
+    assert!(text(&app).contains("cut off"));
+    press(&mut app, "r");
+    assert_eq!(app.layout().layout.plate, 0.3);
 }
 
 #[test]

@@ -16,7 +16,6 @@ use std::sync::Arc;
 /// A choice of mesh: the type, and whether the project already names it.
 #[derive(Debug, Clone)]
 pub(crate) struct MeshChoice {
-    /// The mesh.
     pub(crate) mesh: Arc<MeshType>,
     /// Whether it is written out in the project file.
     pub(crate) inline: bool,
@@ -144,12 +143,10 @@ impl Editor {
     /// Deletes the selected layout; what to say.
     ///
     /// # Errors
-    /// It is the last one.
+    /// There is none.
     pub(in crate::app) fn delete_layout(&mut self) -> Result<String, String> {
-        match self.project.layouts.len() {
-            0 => return Err(NONE.into()),
-            1 => return Err("a project keeps at least one layout".into()),
-            _ => {}
+        if self.project.layouts.is_empty() {
+            return Err(NONE.into());
         }
         let (name, at) = (self.layout().name.clone(), self.selected);
         self.edit(format!("{name} deleted"), |project| {

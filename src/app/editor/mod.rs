@@ -88,7 +88,6 @@ impl Editor {
         self.path = Some(path);
     }
 
-    /// The layouts.
     pub(super) fn layouts(&self) -> &[NamedLayout] {
         &self.project.layouts
     }

@@ -56,7 +56,6 @@ pub struct DesignLine {
 pub enum DesignKind {
     /// A value at which the requirement comes to be met or not.
     Take {
-        /// The crossing.
         crossing: Box<Crossing>,
         /// The value to take, m: the nearest whole millimetre that meets it, or the crossing.
         value: f64,

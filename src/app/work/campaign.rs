@@ -33,7 +33,6 @@ pub(crate) struct Campaigns {
 /// What cases are for: other inputs make the checks of the same purpose stale.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Purpose {
-    /// The page.
     pub(crate) page: StudyPage,
     /// The layout, by its uid.
     pub(crate) uid: u64,

@@ -42,9 +42,7 @@ pub(crate) struct DemFlags {
 /// A case to check, by the name under which its progress is told.
 #[derive(Debug)]
 pub(crate) struct Job {
-    /// Its name.
     pub(crate) name: String,
-    /// The case.
     pub(crate) case: Case,
 }
 

@@ -6,6 +6,7 @@ use crate::show::effect;
 use crate::show::glyphs::Glyphs;
 use crate::show::map::{self, Cell, CellMap, Fit, LEFT, MapLayer};
 use crate::show::picture::Ink;
+use crate::show::verdict;
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
@@ -55,14 +56,16 @@ fn one(
 ) {
     let (unit, grid) = (page.unit, &s.sweep.grid);
     let fit = Fit::new(grid.columns.len(), &grid.rows, WIDTH, MOST_ROWS);
+    let marks = verdict::marks(&s.case, grid, &s.sweep.points, &[], s.basis);
     let number = |v| effect::number(v, shown, unit);
     page.lines.push(String::new());
     let shades = map::shades(ends).map(|(sign, from)| format!("{sign} {}", number(from)));
     let shades = shades.collect::<Vec<String>>().join("  ");
     page.line(title, format!("from: {shades}  up to {}", number(ends.1)));
-    let signs = map::legend(cells.iter());
+    let signs = [map::legend(cells.iter()), map::marks_legend(&marks)];
+    let signs: Vec<String> = signs.into_iter().filter(|signs| !signs.is_empty()).collect();
     if !signs.is_empty() {
-        page.line("", signs);
+        page.line("", signs.join("; "));
     }
     let (columns, rows) = (fit.columns.len(), fit.rows.len());
     if columns < grid.columns.len() || rows < grid.rows.len() {
@@ -81,7 +84,7 @@ fn one(
     let picture = map::draw(&CellMap {
         fit: &fit,
         labels: (label(&grid.first, &grid.columns), label(second, &grid.rows)),
-        layers: &[MapLayer { cells, ink: Ink::Text }],
+        layers: &[MapLayer { cells, ink: Ink::Text, marks: &marks }],
         ends,
         number: &number,
         marked: None,

@@ -30,7 +30,6 @@ pub(super) struct Sums<R: Copy> {
     anchors: [usize; 2],
     /// Which anchor of a row each column of the net is nearest to, in even rows and in odd ones.
     nearest: [Vec<usize>; 2],
-    /// Domes.
     domes: usize,
     /// Columns of a cell, and of the net.
     columns: [usize; 2],

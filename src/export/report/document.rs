@@ -92,18 +92,15 @@ pub(crate) fn code(text: impl Into<String>) -> Words {
 pub(crate) enum Block {
     /// A heading of level 2 or 3.
     Heading(u8, Words),
-    /// A paragraph.
     Paragraph(Words),
     /// Free text of other people, which may have several lines and paragraphs.
     Free(String),
-    /// A list.
     List(Vec<Words>),
     /// A table: its head, and rows of as many cells. The first column is words, others are numbers
     /// where `numbers` says so.
     Table {
         /// Names of the columns.
         head: Vec<Words>,
-        /// The rows.
         rows: Vec<Vec<Words>>,
         /// Whether all columns but the first are set to the right.
         numbers: bool,
@@ -121,7 +118,6 @@ pub(crate) enum Block {
 /// A picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Picture {
-    /// The SVG.
     pub(crate) svg: String,
     /// What it shows.
     pub(crate) caption: String,
@@ -132,7 +128,6 @@ pub(crate) struct Picture {
 /// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ReportDocument {
-    /// Its title.
     pub(crate) title: String,
     /// Its blocks in order.
     pub(crate) blocks: Vec<Block>,

@@ -138,6 +138,7 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
     let pictures = series
         .chunks(CURVES)
         .enumerate()
+        .filter(|(_, some)| !some.iter().all(Series::bare))
         .map(|(index, some)| {
             let (from, to) = (index * CURVES + 1, index * CURVES + some.len());
             let title = if series.len() <= CURVES {

@@ -30,15 +30,7 @@ pub(crate) fn layout(
     judged(case, unit, document);
     warnings(case, document);
     let check = report.check(index);
-    let series = [Series { case, check }];
-    document.blocks.push(Block::Pictures(vec![
-        Picture {
-            svg: chart(&series, &format!("{name}: force over deflection"), unit),
-            caption: format!("{name}: force over deflection"),
-            wide: true,
-        },
-        Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
-    ]));
+    pictures(name, Series { case, check }, true, unit, document);
     steps(case, unit, document);
     if let Ok(field) = &case.forecast().field {
         if let Some(end) = field.end() {
@@ -64,6 +56,22 @@ pub(crate) fn layout(
     }
 }
 
+/// Chart, where there is a line to draw, and plan.
+fn pictures(
+    name: &str,
+    series: Series<'_>,
+    wide: bool,
+    unit: LengthUnit,
+    document: &mut ReportDocument,
+) {
+    let caption = format!("{name}: force over deflection");
+    let lines =
+        (!series.bare()).then(|| Picture { svg: chart(&[series], &caption, unit), caption, wide });
+    let plan =
+        Picture { svg: plan(series.case, unit), caption: format!("{name}: plan"), wide: false };
+    document.blocks.push(Block::Pictures(lines.into_iter().chain([plan]).collect()));
+}
+
 /// A layout on one page: verdict, curve, what to distrust.
 pub(crate) fn short(
     report: &Report<'_>,
@@ -75,12 +83,7 @@ pub(crate) fn short(
     let name = &case.entry.name;
     document.section(format!("{}. {name}", index + 1));
     judged(case, unit, document);
-    let series = [Series { case, check: report.check(index) }];
-    let title = format!("{name}: force over deflection");
-    document.blocks.push(Block::Pictures(vec![
-        Picture { svg: chart(&series, &title, unit), caption: title, wide: false },
-        Picture { svg: plan(case, unit), caption: format!("{name}: plan"), wide: false },
-    ]));
+    pictures(name, Series { case, check: report.check(index) }, false, unit, document);
     warnings(case, document);
 }
 

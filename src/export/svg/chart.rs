@@ -19,6 +19,14 @@ pub struct Series<'a> {
     pub check: Option<&'a Check>,
 }
 
+impl Series<'_> {
+    /// Whether a chart of it would show no line: neither laboratory nor panel has a deflection, and there
+    /// is no check.
+    pub(crate) fn bare(&self) -> bool {
+        self.check.is_none() && self.case.forecast().laboratory.deflection.is_none()
+    }
+}
+
 impl<'a> From<&'a ExportedLayout> for Series<'a> {
     fn from(case: &'a ExportedLayout) -> Series<'a> {
         Series { case, check: None }

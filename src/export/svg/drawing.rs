@@ -19,7 +19,6 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
 pub(crate) struct Stroke {
     /// Colour; dark enough to print.
     pub(crate) colour: &'static str,
-    /// Width.
     pub(crate) width: f64,
     /// Lengths of dashes and gaps; empty for a solid line.
     pub(crate) dashes: &'static str,
@@ -152,7 +151,6 @@ impl Drawing {
         let _ = writeln!(self.body, "\" fill=\"{fill}\"{}/>", stroked(stroke));
     }
 
-    /// A rectangle.
     pub(crate) fn rectangle(&mut self, frame: Frame, fill: &str, stroke: Stroke) {
         let _ = writeln!(
             self.body,
@@ -165,7 +163,6 @@ impl Drawing {
         );
     }
 
-    /// A circle.
     pub(crate) fn circle(&mut self, (x, y): (f64, f64), radius: f64, fill: &str, stroke: Stroke) {
         let _ = writeln!(
             self.body,

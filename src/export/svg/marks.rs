@@ -13,13 +13,9 @@ pub(crate) enum Mark {
     Ring,
     /// A filled square.
     Block,
-    /// A square.
     Square,
-    /// A triangle.
     Triangle,
-    /// A diamond.
     Diamond,
-    /// A plus.
     Plus,
 }
 

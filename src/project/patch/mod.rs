@@ -25,7 +25,6 @@ use list::{Item, List};
 /// The text of an edited project.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rendered {
-    /// The text.
     pub text: String,
     /// Whether the comments and the form of the old text are kept. They are, unless the text was of
     /// a form in which the change could not be made safely; then the clean form is written.
@@ -61,9 +60,7 @@ pub(crate) fn apply_within(text: &str, part: Span, mut edits: Vec<Edit>) -> Stri
 /// A text with its tree, and how lines end in it.
 #[derive(Clone, Copy)]
 pub(crate) struct PatchSource<'t> {
-    /// The text.
     pub text: &'t str,
-    /// Its tree.
     pub tree: &'t Tree,
 }
 

@@ -84,7 +84,6 @@ impl<'t> Reader<'t> {
 pub(crate) enum Path<'p> {
     /// The value that reading began with, by its own path.
     Root(&'p str),
-    /// A field.
     Field(&'p Path<'p>, &'p str),
     /// An item of a list.
     Item(&'p Path<'p>, usize),

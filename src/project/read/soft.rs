@@ -15,7 +15,6 @@ pub(crate) enum Soft<T> {
     Absent,
     /// What stands there cannot be read.
     Refused,
-    /// Its value.
     Value(T),
 }
 

@@ -98,7 +98,6 @@ pub struct Group {
 pub struct Entry {
     /// The field's name and where it stands; in a map the key's text.
     pub(crate) key: Option<(String, Span)>,
-    /// The value.
     pub(crate) value: Node,
     /// The comma behind it.
     pub(crate) comma: Option<Span>,

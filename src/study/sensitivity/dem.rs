@@ -21,7 +21,6 @@ pub struct CheckedSensitivity {
 /// One input, moved down and up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckedBar {
-    /// The input.
     pub input: Input,
     /// Its value in the case, m or N.
     pub value: f64,

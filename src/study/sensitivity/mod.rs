@@ -53,7 +53,6 @@ pub struct Sensitivity {
 /// One input, moved down and up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
-    /// The input.
     pub input: Input,
     /// Its value in the case, m or N.
     pub value: f64,

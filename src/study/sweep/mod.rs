@@ -17,7 +17,6 @@ pub(crate) const MOST_POINTS: usize = 1_000_000;
 /// A range of one input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepAxis {
-    /// The input.
     pub input: Input,
     /// First value, m or N.
     pub from: f64,

@@ -43,7 +43,6 @@ const PASTE_END: &[u8] = b"\x1b[201~";
 /// What was typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Typed {
-    /// A key.
     Key(Key),
     /// A marked paste.
     Paste(String),

@@ -9,6 +9,7 @@ use crate::case::{Input, input_unit, input_value};
 use crate::show::effect;
 use crate::show::map::{self, Cell, CellMap, Fit, LEFT, MapLayer};
 use crate::show::picture::Ink;
+use crate::show::verdict;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -25,6 +26,8 @@ pub(crate) fn draw(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, th
         return nothing("no value anywhere on the map", area, buf, theme);
     };
     let (columns, rows) = size(area);
+    let basis = app.project().basis;
+    let marks = verdict::marks(&view.case, grid, &view.points, &view.answers, basis);
     let any = view.coverage.any();
     let head = |two: bool| {
         let check = any && !two && view.checks_shown;
@@ -40,7 +43,9 @@ pub(crate) fn draw(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, th
             if two { ", DEM below" } else { "" }
         );
         let number = |v| effect::number(v, view.shown, unit);
-        legend(&title, ends, &number, &map::legend(seen.iter()), columns)
+        let signs = [map::legend(seen.iter()), map::marks_legend(&marks)];
+        let signs: Vec<String> = signs.into_iter().filter(|signs| !signs.is_empty()).collect();
+        legend(&title, ends, &number, &signs.join(", "), columns)
     };
     let room = |head: &[String]| rows.saturating_sub(head.len() + FOOT + 1);
     let both = head(true);
@@ -48,11 +53,11 @@ pub(crate) fn draw(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, th
     let head = if two { both } else { head(false) };
     let layers: &[MapLayer] = match (two, any && view.checks_shown) {
         (true, _) => &[
-            MapLayer { cells: &forecast, ink: Ink::Text },
-            MapLayer { cells: &checks, ink: Ink::Check },
+            MapLayer { cells: &forecast, ink: Ink::Text, marks: &marks },
+            MapLayer { cells: &checks, ink: Ink::Check, marks: &[] },
         ],
-        (false, true) => &[MapLayer { cells: &checks, ink: Ink::Text }],
-        (false, false) => &[MapLayer { cells: &forecast, ink: Ink::Text }],
+        (false, true) => &[MapLayer { cells: &checks, ink: Ink::Text, marks: &marks }],
+        (false, false) => &[MapLayer { cells: &forecast, ink: Ink::Text, marks: &marks }],
     };
     let fit = Fit::new(grid.columns.len(), &grid.rows, columns, room(&head) / layers.len());
     let label =

@@ -5,12 +5,14 @@ use super::super::theme::Theme;
 use super::{nothing, plan, value};
 use crate::app::App;
 use crate::app::studies::sensitivity::SensitivityView;
+use crate::case::Input;
 use crate::show::effect::{self, EffectScale};
 use crate::show::picture::Ink;
 use crate::show::say;
 use crate::show::tornado::{self, Moves};
 use crate::study::checks::{NoCheck, utilisation};
-use crate::study::sensitivity::Effect;
+use crate::study::sensitivity::{Bar, Effect};
+use crate::study::verdict::{Simulated, verdict};
 use crate::units::{force_text, length_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -115,6 +117,8 @@ struct Line {
     by: &'static str,
     moves: Moves,
     ink: Ink,
+    /// Marks of the verdict with the input lowered and raised, where it fails or is doubtful.
+    marks: [char; 2],
 }
 
 /// The lines of a tornado, one or two an input, with its largest change and how changes are written.
@@ -139,12 +143,25 @@ fn lines(
             Effect::Service => "d_F",
         };
         let label = format!("{:<9}{range}", row.input.symbol());
-        lines.push(Line { label, by, moves: row.forecast, ink: Ink::Forecast });
+        let marks = marks(app, view, row.input);
+        lines.push(Line { label, by, moves: row.forecast, ink: Ink::Forecast, marks });
         if let Some(moves) = row.check {
-            lines.push(Line { label: String::new(), by: "DEM", moves, ink: Ink::Check });
+            let label = String::new();
+            lines.push(Line { label, by: "DEM", moves, ink: Ink::Check, marks: [' '; 2] });
         }
     }
     (lines, most, scale)
+}
+
+/// The marks of the verdicts, by the forecast, with an input lowered and raised.
+fn marks(app: &App, view: &SensitivityView, input: Input) -> [char; 2] {
+    let bar = view.forecast.bars.iter().find(|bar| bar.input == input);
+    let Some(bar) = bar.filter(|_| view.case.question.asks()) else { return [' '; 2] };
+    [&bar.lowered, &bar.raised].map(|step| {
+        let case = view.case.with(input, step.value);
+        let basis = app.project().basis;
+        verdict(&case, &step.outcome, Simulated::Missing, basis).finding().mark()
+    })
 }
 
 fn draw_tornado(
@@ -183,6 +200,10 @@ fn draw_tornado(
         for (at, text) in (1..).zip(&line.moves.texts) {
             let end = label + 4 + at * number;
             put_right(buf, Rect { width: end.min(list.width), ..list }, row, text, theme.text);
+            // Behind the number; what passes is left unmarked.
+            if let mark @ ('x' | '?') = line.marks[usize::from(at) - 1] {
+                put(buf, list, row, end, &mark.to_string(), theme.caution);
+            }
         }
         if half > 0 {
             let drawn = tornado::bars(line.moves.sizes, most, usize::from(half), theme.glyphs);
@@ -206,6 +227,10 @@ fn notes(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style
         ),
         theme.text,
     )];
+    let fails = |bar: &Bar| marks(app, view, bar.input).contains(&'x');
+    if view.forecast.bars.iter().any(fails) {
+        lines.push(("x behind a change: with it the layout fails".into(), theme.text));
+    }
     let coverage = view.coverage;
     if coverage.any() || app.campaign().is_some() {
         lines.push((

@@ -4,6 +4,7 @@
 mod aborts;
 mod bad_start;
 mod bursts;
+mod cases;
 mod cursor;
 mod disk_faults;
 mod empty_project;
