@@ -47,7 +47,7 @@ impl FitScene {
 /// The runs of a scene.
 pub(crate) enum Made {
     /// Of a punch test.
-    Punched(Ensemble),
+    Punched(Box<Ensemble>),
     /// Of a tensile test.
     Pulled(Vec<TensileOutcome>),
 }
@@ -216,7 +216,7 @@ impl FitQuestion {
         for scene in &self.scenes {
             made.push(match scene.kind {
                 SceneKind::Punch(test, layout) => {
-                    Made::Punched(self.punched(scene, (test, layout), &wire, tell)?)
+                    Made::Punched(Box::new(self.punched(scene, (test, layout), &wire, tell)?))
                 }
                 SceneKind::Tensile(width, length, pull) => {
                     Made::Pulled(self.pulled(scene, (width, length, pull), &wire, tell)?)

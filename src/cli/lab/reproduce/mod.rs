@@ -21,7 +21,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
-Labels: fitted (the wires were fitted to it), in view (chosen by hand with it in view), after the fact (the
+Labels: fitted (the wires were fitted to it), in view (much the same as what they were fitted to), after the fact (the
 explanation was found with the value in view), predicted. What differs by more than 5 % and is explained by
 no run here is not explained.";
 
