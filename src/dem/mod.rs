@@ -4,7 +4,7 @@
 //!
 //! 1. [`scene`]: a layout, a test, a wire law, an alignment and a seed become a [`scene::Scene`]:
 //!    a [`lattice`] of node pairs and bonds, a [`law`] for them, fixed nodes, and a [`dome`] to punch with.
-//!    [`hash`] draws the slack, [`plates`] tells which nodes are held at which alignment.
+//!    [`hash`] draws the slack.
 //! 2. [`inertia`]: fictitious masses, so that the net follows the punch with as few steps as possible;
 //!    [`stability`]: the largest step that the scene at hand allows.
 //! 3. One step of the [`plain`] solver: `forces` (each bond: length, strain, largest strain, force by
@@ -52,7 +52,6 @@ pub mod law;
 mod limits;
 pub(crate) mod outcome;
 pub mod plain;
-pub(crate) mod plates;
 pub mod run;
 pub(crate) mod scene;
 pub mod stability;

@@ -104,17 +104,23 @@ fn a_sensitivity_has_changes_with_errors_and_reasons() {
     let v = object(&of("sensitivity", &["--dem", "--force", "8"]));
     let check = object(&["check", "-L1.3", "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
     is_the_check(&v["check"], &check);
-    let moved = object(&["check", "-L1.43", "-D0.4", "--fidelity=quick", "--runs=2", "--seed=7"]);
-    let raised = &v["sensitivity"][1]["high"];
+    // Another spacing puts other nodes under the plates: no pairs of runs.
+    assert_eq!(v["sensitivity"][1]["high"]["check"]["change"]["paired"], false);
+    let moved = object(&["check", "-L1.3", "-D0.44", "--fidelity=quick", "--runs=2", "--seed=7"]);
+    let raised = &v["sensitivity"][2]["high"];
     is_the_check(&raised["check"], &moved);
     let change = &raised["check"]["change"];
     let by_hand = number(&raised["check"], "/F_kN") - number(&v["check"], "/F_kN");
     assert!((number(change, "/F_kN") - by_hand).abs() < 1e-9);
-    // The error of two pairs: half the difference of their differences. The runs' forces are those of
-    // the two checks, here rounded to five digits.
+    // The error of two pairs with the shares w and 1 - w of the runs: their difference times
+    // sqrt((w^2 + (1 - w)^2) / 2), half of it where the shares are equal. The share is had from the mean; the runs'
+    // forces are those of the two checks, here rounded to five digits.
     let force = |check: &Value, k: usize| number(check, &format!("/runs/{k}/first_break/F_kN"));
+    let share =
+        (number(&check, "/mean/F_kN") - force(&check, 1)) / (force(&check, 0) - force(&check, 1));
     let pair = |k| force(&moved, k) - force(&check, k);
-    let error = (pair(0) - pair(1)).abs() / 2.0;
+    let shares = share.powi(2) + (1.0 - share).powi(2);
+    let error = (pair(0) - pair(1)).abs() * (shares / 2.0).sqrt();
     assert!((number(change, "/standard_error/F_kN") - error).abs() < 2e-3, "{change} {error}");
     assert_eq!(change["paired"], true);
     assert!(change["utilisation"].is_f64());

@@ -22,7 +22,8 @@ use std::num::NonZeroUsize;
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Check by discrete elements, beside the forecast")]
 pub(crate) struct DemFlags {
-    /// Check each case too: runs with the same alignments and slack in all of them.
+    /// Check each case too: runs with the same slack in all of them, and the same alignments where the
+    /// block alone changes.
     #[arg(long)]
     dem: bool,
     /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.

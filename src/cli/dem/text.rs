@@ -17,7 +17,7 @@ pub(crate) fn plan(page: &mut Page, wanted: &Wanted) {
     page.line(
         "DEM",
         format!(
-            "{} fidelity, {runs}, seed {}; the same alignments and slack in all cases",
+            "{} fidelity, {runs}, seed {}; the same slack in all cases",
             wanted.fidelity.word(),
             wanted.seed
         ),
