@@ -6,7 +6,7 @@
 //! - [`estimates`]: a run's own error estimate against its true error, on scenes drawn by a seed.
 //! - [`arrangements`]: how the answer depends on how the blocks stand.
 //! - [`campaign`]: many single runs of random layouts, from which a method is derived.
-//! - [`derive`]: a method of forecasts made of such runs.
+//! - [`mod@derive`]: a method of forecasts made of such runs.
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
 //! - [`fit`]: a wire law fitted to many figures at once; the wires of the reference mesh.

@@ -1,4 +1,4 @@
-//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`derive`], [`held_out`], [`reproduce`], [`validate`].
+//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`mod@derive`], [`held_out`], [`reproduce`], [`validate`].
 
 pub(crate) mod bench;
 pub(crate) mod calibrate;

@@ -3,7 +3,7 @@
 //! - [`family`]: the laws to choose from.
 //! - [`rows`]: what is compared, and the simulations that give it.
 //! - [`levenberg`]: the search.
-//! - [`reference`]: the rows and the starts that give the wires of the reference mesh.
+//! - [`mod@reference`]: the rows and the starts that give the wires of the reference mesh.
 //!
 //! A fit minimises the sum of squares of (ours - target) / sigma over the rows, in the logarithms of the
 //! parameters. Weak rows that hold each parameter near its start keep those in place that no row feels (a

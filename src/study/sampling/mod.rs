@@ -5,7 +5,7 @@
 //! runs are not drawn but allotted to them ([`groups`]): six to twelve tell the mean as well as a hundred
 //! at random. Within its pattern a run's alignment is uniform. Where patterns say little (a small block,
 //! whose own alignment with the net counts as much) or do not exist (the laboratory), alignments are those
-//! of a lattice ([`lattice`]). The mean is unbiased in both for any number of runs; [`figures`] has its
+//! of a lattice ([`lattice`]). The mean is unbiased in both for any number of runs; [`mod@figures`] has its
 //! standard error and the band.
 //!
 //! Which pattern and which alignment run k has follows from the seed and its number alone. An ensemble that

@@ -1,5 +1,5 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test; with
-//! `--reference-fit` the wires of the reference mesh ([`reference`]).
+//! `--reference-fit` the wires of the reference mesh ([`mod@reference`]).
 
 mod reference;
 
