@@ -214,6 +214,8 @@ impl Sample {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::forecast::derived::{Arranged, shipped};
+    use crate::mesh::catalogue;
     use crate::mesh::laws;
 
     #[test]
@@ -251,6 +253,20 @@ mod tests {
         let variance = parts.iter().map(|e| e * e).sum::<f64>() / 800.0;
         assert!((variance - 1.0 / 12.0).abs() < 0.011, "{variance}");
         assert!(all.iter().all(|s| s.kind == Kind::Eccentric || s.layout.ex == 0.0));
+    }
+
+    #[test]
+    fn the_shipped_methods_are_of_the_wires_of_the_catalogue() {
+        // A change of the wires makes every run another one: the campaigns have to be run again.
+        let mesh = catalogue::reference();
+        let now = print(mesh.wire.as_ref().unwrap()).to_string();
+        for of in [Arranged::Repeated, Arranged::Mirrored] {
+            let method = shipped(of);
+            assert_eq!(
+                (method.mesh.as_str(), method.wires.as_str()),
+                (mesh.id.as_str(), now.as_str())
+            );
+        }
     }
 
     #[test]
