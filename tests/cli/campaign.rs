@@ -176,6 +176,12 @@ fn layouts_that_no_fit_saw_are_held_against_both_methods() {
     {
         assert!(said.contains(part), "{part}: {said}");
     }
+    // A part without a layout has no figures.
+    let few = good(&["held-out", "--layouts", "1", "--seed", "5", "--threads", "1"]);
+    let line = few.lines().find(|l| l.starts_with("with an offset, D below 0.4 m")).unwrap();
+    assert!(line.split_whitespace().skip(7).eq(["0", "-", "-", "-", "-"]), "{line}");
+    let wide = run(&["held-out", "--seed", "5", "--widen", "3"]);
+    assert!(wide.code == 2 && wide.err.contains("--widen: a part from 0 to 1"), "{}", wide.err);
     // The seed of the shipped methods' campaigns.
     let seen = run(&["held-out", "--layouts", "6", "--seed", "1"]);
     assert!(seen.code == 2 && seen.err.contains("was made from runs of this seed"), "{}", seen.err);

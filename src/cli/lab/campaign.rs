@@ -1,12 +1,12 @@
 //! `meshcast campaign`: many single runs of random layouts, kept as they are made.
 
-use crate::cli::check::threads;
+use super::draw::{DrawFlags, EXPECTED_BREAK, WidenFlag};
 use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Output};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::cli::{case, quantity};
-use crate::dem::{Fidelity, Flow};
+use crate::dem::Flow;
 use crate::lab::campaign::file::{self, CampaignText};
 use crate::lab::campaign::make::make;
 use crate::lab::campaign::row::{Kind, Row, RowEnd};
@@ -19,7 +19,6 @@ use clap::Args;
 use std::fmt::Write as _;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 const AFTER_HELP: &str = "\
@@ -48,31 +47,20 @@ pub(crate) struct CampaignArgs {
     /// Share of them with an offset, 0 to 0.9.
     #[arg(long, value_name = "PART", default_value_t = 0.5, value_parser = quantity::number, allow_hyphen_values = true)]
     eccentric: f64,
-    /// Takes d, L and D from ranges that are wider by this part: from min/(1 + PART) to max (1 + PART).
-    #[arg(long, value_name = "PART", default_value_t = 0.0, value_parser = quantity::number, allow_hyphen_values = true)]
-    widen: f64,
+    #[command(flatten)]
+    widen: WidenFlag,
     /// Mesh, by its identifier in the catalogue.
     #[arg(long, value_name = "ID", default_value = REFERENCE_ID)]
     mesh: String,
     /// Net and wires from a file instead of the mesh's own.
     #[arg(long, value_name = "FILE")]
     mesh_file: Option<PathBuf>,
-    /// Seed of all that is drawn.
-    #[arg(long, value_name = "S", default_value_t = 0)]
-    seed: u64,
-    /// How exactly each run is computed.
-    #[arg(long, value_name = "FIDELITY", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
-    fidelity: Fidelity,
-    /// Threads; the result does not depend on them [default: as many as the machine has].
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    draw: DrawFlags,
 }
 
 /// Arrangements that a campaign may have.
 const ARRANGED: [Blocks; 3] = [Blocks::Repeated, Blocks::Mirrored, Blocks::Single];
-
-/// Widest ranges, as a part beyond the paper's.
-const WIDEST: f64 = 1.0;
 
 /// Makes the lines that are missing and says what the file holds.
 pub(crate) fn run(args: &CampaignArgs) -> CommandEnd {
@@ -101,7 +89,7 @@ pub(crate) fn run(args: &CampaignArgs) -> CommandEnd {
         }
     };
     let tell = |now| watch.tell(now);
-    let end = make(&plan, &wire, from, threads(args.threads), &tell, &mut hand_on);
+    let end = make(&plan, &wire, from, args.draw.threads(), &tell, &mut hand_on);
     let synced = file.sync_all();
     if let Some(e) = failed.or(synced.err()) {
         return Err(kept.fault("cannot be written", &e));
@@ -117,23 +105,17 @@ pub(crate) fn run(args: &CampaignArgs) -> CommandEnd {
     Ok(Output { result, notes, interrupted: !end.whole, ..Output::default() })
 }
 
-/// Deflection at which runs are expected to break until one has, m.
-const EXPECTED_BREAK: f64 = 0.6;
-
 fn plan(args: &CampaignArgs) -> Result<CampaignPlan, Fault> {
     if !(0.0..=0.9).contains(&args.eccentric) {
         return Err(Fault::input("--eccentric: a share from 0 to 0.9"));
     }
-    if !(0.0..=WIDEST).contains(&args.widen) {
-        return Err(Fault::input("--widen: a part from 0 to 1"));
-    }
-    let wider = 1.0 + args.widen;
+    let wider = 1.0 + args.widen.part()?;
     Ok(CampaignPlan {
         blocks: args.blocks,
         runs: args.runs as usize,
         eccentric: args.eccentric,
-        seed: args.seed,
-        fidelity: args.fidelity,
+        seed: args.draw.seed,
+        fidelity: args.draw.fidelity,
         ranges: PAPER_RANGES.map(|[from, to]| [from / wider, to * wider]),
     })
 }

@@ -1,9 +1,9 @@
 //! `meshcast held-out`: forecasts against checks of layouts that no fit has seen.
 
+use super::draw::{EXPECTED_BREAK, WidenFlag};
 use crate::cli::check::threads;
 use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Output};
-use crate::cli::quantity;
 use crate::cli::watch::Watch;
 use crate::dem::{Fidelity, Flow};
 use crate::lab::held_out::{AIMS, HeldOutPlan, HeldOutTable, Points, held_out};
@@ -33,9 +33,8 @@ pub(crate) struct HeldOutArgs {
     /// Seed of layouts, alignments and slack.
     #[arg(long, value_name = "S")]
     seed: u64,
-    /// Takes d, L and D from ranges that are wider by this part: from min/(1 + PART) to max (1 + PART).
-    #[arg(long, value_name = "PART", default_value_t = 0.0, value_parser = quantity::number, allow_hyphen_values = true)]
-    widen: f64,
+    #[command(flatten)]
+    widen: WidenFlag,
     /// How exactly the checks compute.
     #[arg(long, value_name = "FIDELITY", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
@@ -51,7 +50,7 @@ pub(crate) fn run(args: &HeldOutArgs) -> CommandEnd {
         blocks: args.blocks,
         seed: args.seed,
         fidelity: args.fidelity,
-        widen: args.widen.clamp(0.0, 1.0),
+        widen: args.widen.part()?,
         threads: threads(args.threads),
     };
     let watch = Watch::start();
@@ -65,9 +64,6 @@ pub(crate) fn run(args: &HeldOutArgs) -> CommandEnd {
     let result = text(&plan, &table);
     Ok(Output { result, interrupted: table.part, ..Output::default() })
 }
-
-/// Deflection at which runs are expected to break until one has, m.
-const EXPECTED_BREAK: f64 = 0.6;
 
 fn text(plan: &HeldOutPlan, table: &HeldOutTable) -> String {
     let mut t = format!(
@@ -94,8 +90,11 @@ fn text(plan: &HeldOutPlan, table: &HeldOutTable) -> String {
         "{:<32}{:>4}   {:<20}{:<20}   {:<20}{:<20}",
         "", "n", "derived F", "derived delta", "published F", "published delta"
     );
-    let three = |v: [f64; 3]| format!("{:<20}", v.map(|x| format!("{x:.3}")).join(" "));
     for part in table.parts() {
+        let three = |v: [f64; 3]| match part.n {
+            0 => format!("{:<20}", "-"),
+            _ => format!("{:<20}", v.map(|x| format!("{x:.3}")).join(" ")),
+        };
         let both = |p: &Points| three(p.force) + &three(p.deflection);
         let [derived, published] = &part.points;
         let line =

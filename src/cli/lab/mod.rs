@@ -4,6 +4,7 @@ pub(crate) mod bench;
 pub(crate) mod calibrate;
 pub(crate) mod campaign;
 pub(crate) mod derive;
+mod draw;
 mod estimates;
 pub(crate) mod held_out;
 pub(crate) mod reproduce;

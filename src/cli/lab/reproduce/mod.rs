@@ -2,12 +2,10 @@
 
 mod pictures;
 
+use super::draw::{DrawFlags, EXPECTED_BREAK};
 use crate::cli::VERSION;
-use crate::cli::check::threads;
-use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Output};
 use crate::cli::watch::Watch;
-use crate::dem::Fidelity;
 use crate::lab::reproduce::{ReproducePlan, Reproduced, SeriesPoint, reproduce};
 use crate::mesh::catalogue;
 use crate::project::home::typed_path;
@@ -17,7 +15,6 @@ use crate::units::{significant, to_kn};
 use crate::words::Choice;
 use clap::Args;
 use std::fmt::Write;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
@@ -38,24 +35,17 @@ pub(crate) struct ReproduceArgs {
     /// Runs of random layouts for the master curve and the relations.
     #[arg(long, value_name = "N", default_value_t = 320, value_parser = clap::value_parser!(u32).range(60..=100_000))]
     runs: u32,
-    /// Seed of all runs.
-    #[arg(long, value_name = "S", default_value_t = 0)]
-    seed: u64,
-    /// How exactly each run is computed.
-    #[arg(long, value_name = "FIDELITY", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
-    fidelity: Fidelity,
-    /// Threads; the result does not depend on them [default: as many as the machine has].
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    draw: DrawFlags,
 }
 
 /// Makes, writes and prints it.
 pub(crate) fn run(args: &ReproduceArgs) -> CommandEnd {
     let plan = ReproducePlan {
         runs: args.runs as usize,
-        seed: args.seed,
-        fidelity: args.fidelity,
-        threads: threads(args.threads),
+        seed: args.draw.seed,
+        fidelity: args.draw.fidelity,
+        threads: args.draw.threads(),
     };
     let watch = Watch::start();
     let found = reproduce(&plan, &catalogue::reference(), &|words, part, parts, now| {
@@ -90,9 +80,6 @@ pub(crate) fn run(args: &ReproduceArgs) -> CommandEnd {
     }
     Ok(Output { result: written, ..Output::default() })
 }
-
-/// Deflection at which runs are expected to break until one has, m.
-const EXPECTED_BREAK: f64 = 0.6;
 
 fn text(plan: &ReproducePlan, r: &Reproduced) -> String {
     let mut t = format!(
