@@ -4,7 +4,7 @@
 use super::error::{Cause, FileFault, Found, LoadError};
 use super::load::{decode_utf8, read_bytes};
 use super::text::{Tree, parser};
-use super::{read, words, write};
+use super::{read, words};
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use std::path::Path;
@@ -52,14 +52,9 @@ fn parse_wire(text: &str, shown: &str) -> Result<WireData, LoadError> {
     Ok(wire)
 }
 
-/// Wire data as a file, with a comment on top.
-pub(crate) fn wire_text(wire: &WireData, comment: &str) -> Option<String> {
-    let head: String = comment.lines().map(|line| format!("// {line}\n")).collect();
-    Some(format!("{head}{}\n", write::pretty(wire).ok()?))
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::write::commented;
     use super::*;
     use crate::mesh::laws;
 
@@ -67,7 +62,7 @@ mod tests {
     fn wire_data_come_back_from_their_file_to_the_last_bit() {
         for law in ["bench", "yade", "reference"] {
             let wire = laws::find(law).unwrap();
-            let text = wire_text(&wire, "two\nlines").unwrap();
+            let text = commented(&wire, "two\nlines").unwrap();
             assert!(text.starts_with("// two\n// lines\n("), "{text}");
             assert_eq!(parse_wire(&text, "f").unwrap(), wire, "{law}");
         }
@@ -75,7 +70,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_said_with_line_and_field() {
-        let good = wire_text(&laws::bench(), "").unwrap();
+        let good = commented(&laws::bench(), "").unwrap();
         let said = |from: &str, to: &str| {
             assert!(good.contains(from), "{good}");
             parse_wire(&good.replacen(from, to, 1), "w.ron").unwrap_err().to_string()

@@ -35,6 +35,12 @@ pub(super) fn pretty(value: &impl serde::Serialize) -> Result<String, ron::Error
     Ok(without_extension(ron_options().to_string_pretty(value, pretty)?))
 }
 
+/// A value as a file of its own, with a comment on top; nothing where it cannot be written.
+pub(crate) fn commented(value: &impl serde::Serialize, comment: &str) -> Option<String> {
+    let head: String = comment.lines().map(|line| format!("// {line}\n")).collect();
+    Some(format!("{head}{}\n", pretty(value).ok()?))
+}
+
 /// A value as RON on one line.
 pub(super) fn compact(value: &impl serde::Serialize) -> Result<String, ron::Error> {
     Ok(without_extension(ron_options().to_string(value)?))
@@ -254,4 +260,21 @@ pub(crate) fn layout_field(
         "check" => l.check.as_ref().map(|result| kept::write(result, &l.name)).transpose()?,
         _ => None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::{DerivedMethod, canned};
+
+    #[test]
+    fn a_method_comes_back_from_its_file_to_the_last_bit() {
+        let method = canned::method();
+        let text = commented(&method, "two\nlines").unwrap();
+        assert!(text.starts_with("// two\n// lines\n("), "{text}");
+        assert_eq!(DerivedMethod::from_ron(&text).unwrap(), method);
+        let wrong = text.replacen("format: 1", "format: 99", 1);
+        assert!(DerivedMethod::from_ron(&wrong).unwrap_err().contains("derive it again"));
+        assert!(DerivedMethod::from_ron("(format: 1)").is_err());
+    }
 }

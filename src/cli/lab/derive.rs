@@ -7,7 +7,7 @@ use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::method::sizes::PUBLISHED;
 use crate::method::{Anchor, DerivedMethod};
 use crate::project::home::typed_path;
-use crate::project::{self, SaveError, method_text};
+use crate::project::{self, SaveError, commented};
 use crate::units::{significant, to_kn};
 use crate::words::Choice;
 use clap::Args;
@@ -83,7 +83,7 @@ fn write(path: &Path, method: &DerivedMethod) -> Result<(), Fault> {
         "A method of forecasts derived from simulations. Forces kN, lengths m. Made by{}\n  meshcast derive DIR... --out THIS",
         campaigns.collect::<String>()
     );
-    let text = method_text(method, &comment)
+    let text = commented(method, &comment)
         .filter(|text| DerivedMethod::from_ron(text).as_ref() == Ok(method))
         .ok_or_else(|| Fault::Failure("the method cannot be written as RON".into()))?;
     project::create(path, &text).map_err(|e| match e {

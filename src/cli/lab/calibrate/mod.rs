@@ -13,7 +13,7 @@ use crate::lab::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit,
 use crate::lab::paper::ANCHORED;
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
-use crate::project::{self, SaveError, wire_text};
+use crate::project::{self, SaveError, commented};
 use crate::show::objects::pair;
 use crate::show::value::{Object, Value, kn};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
@@ -228,7 +228,7 @@ fn write_wires(path: &std::path::Path, r: &Result) -> std::result::Result<(), Fa
         significant(to_kn(r.fit.laboratory.force.mean), 4),
         significant(r.fit.laboratory.deflection.mean, 4)
     );
-    let text = wire_text(&r.fit.wire, &comment)
+    let text = commented(&r.fit.wire, &comment)
         .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
     project::create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),

@@ -11,7 +11,7 @@ use crate::lab::fit::reference::{FitStart, question, search, source, starts};
 use crate::lab::fit::rows::{Ended, FitQuestion, FitScene, Measure};
 use crate::lab::fit::{FittedLaw, better};
 use crate::mesh::wire::WireData;
-use crate::project::{self, SaveError, wire_text};
+use crate::project::{self, SaveError, commented};
 use crate::show::value::{Object, Value};
 use crate::study::ensemble::EnsembleProgress;
 use crate::units::{shortest, significant, to_kn};
@@ -122,7 +122,7 @@ fn write(path: &Path, d: &Decision) -> Result<(), Fault> {
         "Net and wires of the reference mesh for the discrete element check: meshcast check --mesh-file THIS\nLengths m, mass kg, curves (strain, stress in MPa). Made by\n  {}",
         d.command
     );
-    let text = wire_text(&wires(d), &comment)
+    let text = commented(&wires(d), &comment)
         .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
     project::create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),
