@@ -110,25 +110,9 @@ const JOB_AT_3: [&str; 5] = ["forecast", "-d", "0.25", "-D", "0.6"];
 /// The job of `tests/screens/job.rs` by commands.
 #[test]
 fn a_sweep_over_the_spacing_fails_from_1_87_m_on() {
-    let v = json(&[
-        "sweep",
-        "-d",
-        "0.25",
-        "-D",
-        "0.6",
-        "--force",
-        "20",
-        "--deflection",
-        "0.4",
-        "--vary",
-        "L",
-        "--from",
-        "1.25",
-        "--to",
-        "4.5",
-        "--steps",
-        "66",
-    ]);
+    let job = ["-d", "0.25", "-D", "0.6", "--force", "20", "--deflection", "0.4"];
+    let range = ["--vary", "L", "--from", "1.25", "--to", "4.5", "--steps", "66"];
+    let v = json(&[&["sweep"], &job[..], &range].concat());
     let points = v["points"].as_array().unwrap();
     for point in points {
         let fails = point["L_m"].as_f64().unwrap() > 1.87;
@@ -139,19 +123,7 @@ fn a_sweep_over_the_spacing_fails_from_1_87_m_on() {
         }
     }
     // The same spacing by the solver, and what the design advises.
-    let v = json(&[
-        "design",
-        "-d",
-        "0.25",
-        "-D",
-        "0.6",
-        "--force",
-        "20",
-        "--deflection",
-        "0.4",
-        "--solve",
-        "L",
-    ]);
+    let v = json(&[&["design"], &job[..], &["--solve", "L"]].concat());
     assert_eq!(v["verdict"]["mend"]["input"], "L");
     let both = v["solutions"].as_array().unwrap().last().unwrap();
     let value = both["crossings"][0]["value_m"].as_f64().unwrap();

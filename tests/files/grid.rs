@@ -1,7 +1,8 @@
 //! Grids of anchors in files: one spacing or two, rows that are shifted, a net hung across.
 
+use super::rendering::{after, open};
 use meshcast::layout::{Grid, Twists};
-use meshcast::project::{self, Opened, Project};
+use meshcast::project::{self, Project};
 
 const TEXT: &str = "(
     version: 2,
@@ -13,20 +14,6 @@ const TEXT: &str = "(
     ],
 )
 ";
-
-fn open(text: &str) -> Opened {
-    project::parse(text, "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
-}
-
-fn after(text: &str, edit: impl FnOnce(&mut Project)) -> String {
-    let opened = open(text);
-    let mut edited = opened.project.clone();
-    edit(&mut edited);
-    let rendered = opened.document.render(&edited).unwrap();
-    assert!(rendered.comments_kept, "{}", rendered.text);
-    assert_eq!(open(&rendered.text).project, edited);
-    rendered.text
-}
 
 #[test]
 fn a_layout_has_one_spacing_or_two() {

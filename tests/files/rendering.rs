@@ -4,12 +4,12 @@ use super::samples::sample;
 use meshcast::project::{self, MeshUse, NamedLayout, Opened, Project};
 use meshcast::units::LengthUnit;
 
-fn open(text: &str) -> Opened {
+pub(crate) fn open(text: &str) -> Opened {
     project::parse(text, "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
 /// The text after an edit; checks that it holds the edited project.
-fn after(text: &str, edit: impl FnOnce(&mut Project)) -> String {
+pub(crate) fn after(text: &str, edit: impl FnOnce(&mut Project)) -> String {
     let opened = open(text);
     let mut edited = opened.project.clone();
     edit(&mut edited);

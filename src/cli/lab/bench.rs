@@ -376,7 +376,6 @@ fn convergence_text(tables: &Tables) -> String {
     out
 }
 
-/// Cost against size as a text.
 /// The table of how blocks stand.
 fn arrangements_text(table: &ArrangementTable) -> String {
     let mut out = String::from(
@@ -441,6 +440,7 @@ fn statements_text(all: &Statements) -> String {
     out
 }
 
+/// Cost against size as a text.
 fn size_text(sizes: &Sizes) -> String {
     let mut out =
         String::from("punch          L, m   nodes   steps   time, ms  ns per node and step\n");

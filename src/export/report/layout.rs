@@ -22,8 +22,7 @@ pub(crate) fn layout(
     document: &mut ReportDocument,
 ) {
     let unit = report.unit;
-    let name = &case.entry.name;
-    document.section(format!("{}. {name}", index + 1));
+    let name = heading(index, case, document);
     if !case.entry.note.trim().is_empty() {
         document.blocks.push(Block::Free(case.entry.note.clone()));
     }
@@ -80,11 +79,17 @@ pub(crate) fn short(
     document: &mut ReportDocument,
 ) {
     let unit = report.unit;
-    let name = &case.entry.name;
-    document.section(format!("{}. {name}", index + 1));
+    let name = heading(index, case, document);
     judged(case, unit, document);
     pictures(name, Series { case, check: report.check(index) }, false, unit, document);
     warnings(case, document);
+}
+
+/// Begins the section of a layout and returns its name.
+fn heading<'a>(index: usize, case: &'a ExportedLayout, document: &mut ReportDocument) -> &'a str {
+    let name = &case.entry.name;
+    document.section(format!("{}. {name}", index + 1));
+    name
 }
 
 /// Whether it is enough: each check, what to know beside it, and what would mend it.
