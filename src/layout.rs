@@ -429,6 +429,12 @@ impl Layout {
         (self.facing() && (ex, ey) != (0.0, 0.0)).then(|| lever(ex, x) * lever(ey, y))
     }
 
+    /// Whether statics do not say what each anchor carries of a block's force: around a single block, and in a
+    /// staggered grid, where there is more than one anchor to a repeating cell.
+    pub(crate) fn shares_unknown(&self) -> bool {
+        self.blocks == Blocks::Single || self.grid.stagger
+    }
+
     /// Distance from the punch's centre to the nearest anchor plate, m, periodic images included;
     /// 0 if the centre stands on a plate. Plates stand at the corners of the cell.
     pub fn distance_to_plate(&self) -> f64 {

@@ -37,6 +37,30 @@ pub(crate) fn spacings(layout: &Layout, unit: LengthUnit) -> String {
     format!("{}{up}{stagger}", length_entry(layout.spacing, unit))
 }
 
+/// Which anchor carries what where a block brings this force, N, without a check.
+pub(crate) fn anchors(layout: &Layout, force: f64) -> (&'static str, String) {
+    match layout.facing_bound() {
+        Some(bound) => (
+            "worst anchor",
+            format!(
+                "carries at most {} at failure (estimate), as blocks face each other across the anchors",
+                force_text(bound * force)
+            ),
+        ),
+        None if layout.shares_unknown() => (
+            "each anchor",
+            format!(
+                "carries {} at failure (estimate), the whole force of a block; a check knows its share",
+                force_text(force)
+            ),
+        ),
+        None => (
+            "each anchor",
+            format!("carries {} at failure, the whole force of its cell", force_text(force)),
+        ),
+    }
+}
+
 /// `F_a 27.1 kN, delta_a 0.635 m`.
 pub(crate) fn values(v: Strength, unit: LengthUnit) -> String {
     format!("F_a {}, delta_a {}", force_text(v.force), maybe_length_text(v.deflection, unit))

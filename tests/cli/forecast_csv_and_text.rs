@@ -106,6 +106,20 @@ fn the_text_says_what_an_engineer_asks_for() {
 }
 
 #[test]
+fn what_an_anchor_carries_follows_how_the_blocks_stand() {
+    let test_5 = ["-d", "0.25", "-L", "3.5", "-D", "0.8", "--ex", "0.55", "--ey", "1.15"];
+    let said = |blocks: &str| {
+        let flags = [&["forecast"], &test_5[..], &["--blocks", blocks]].concat();
+        let text = good(&flags).split_whitespace().collect::<Vec<_>>().join(" ");
+        text.split(" anchor ").nth(1).unwrap().split(" basis").next().unwrap().to_string()
+    };
+    // 15.29 kN by the published relations, and the lever of both offsets: (4.6/3.5)(5.8/3.5).
+    assert_eq!(said("repeated"), "carries 15.3 kN at failure, the whole force of its cell");
+    assert!(said("mirrored").starts_with("carries at most 33.3 kN at failure (estimate)"));
+    assert!(said("single").starts_with("carries 15.3 kN at failure (estimate)"));
+}
+
+#[test]
 fn the_text_follows_the_unit_of_the_flag_and_of_the_project() {
     assert!(good(&["--units", "mm", "forecast"]).contains("delta_a 635 mm"));
     let text = PROJECT.replace("layouts: [", "display: (length_unit: mm),\n    layouts: [");

@@ -116,13 +116,8 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     let blocks = app.layout().layout;
     page.row("shape of the block in the check", blocks.shape.word());
     page.row("blocks of other cells", blocks.blocks.word());
-    match blocks.facing_bound() {
-        None => page.row("force on each anchor", &force_text(field.values.force)),
-        Some(bound) => page.row(
-            "force on the worst anchor",
-            &format!("at most {} (estimate)", force_text(bound * field.values.force)),
-        ),
-    }
+    let (which, said) = say::anchors(&blocks, field.values.force);
+    page.row(which, &said);
     if let Some(end) = field.end() {
         curve(page, &end, unit);
     }

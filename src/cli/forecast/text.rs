@@ -34,13 +34,8 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 Some(end) => curve(&mut page, &end),
                 None => page.line("curve", "none: the laboratory record has no deflection"),
             }
-            page.line(
-                "each anchor",
-                format!(
-                    "carries {} at failure: the whole force of its cell",
-                    force_text(field.values.force)
-                ),
-            );
+            let (which, said) = say::anchors(&a.case.layout, field.values.force);
+            page.line(which, said);
             if let Some(answer) = &a.design {
                 page.design(answer, &a.case.asked());
             }

@@ -8,6 +8,7 @@ use crate::export::{Check, ExportedLayout, command};
 use crate::forecast::{Field, Strength, Values, field};
 use crate::layout::Layout;
 use crate::mesh::STANDARD_PANEL;
+use crate::show::say;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
@@ -215,16 +216,8 @@ fn points(end: &Values, unit: LengthUnit, document: &mut ReportDocument) {
 
 /// What each anchor carries.
 fn anchors(layout: &Layout, field: &Field, document: &mut ReportDocument) {
-    let force = force_text(field.values.force);
-    match layout.facing_bound() {
-        None => document
-            .say(&format!("Each anchor carries {force} at failure, the whole force of its cell: what the panel can ask of the bolt.")),
-        Some(bound) => document.say(&format!(
-            "Where blocks face each other the worst anchor carries at most {} of {force} at failure, {} (an estimate; a check gives its force).",
-            significant(bound, 4),
-            force_text(bound * field.values.force)
-        )),
-    }
+    let (which, said) = say::anchors(layout, field.values.force);
+    document.say(&format!("What the panel can ask of a bolt: {which} {said}."));
 }
 
 /// The answers to the design questions, with the factors that act.

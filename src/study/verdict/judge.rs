@@ -5,7 +5,6 @@ use super::{Aspect, Basis, Checked, Judge, Simulated, State, Verdict, VerdictRem
 use crate::case::{Case, CasePoint, CaseValue, Derived, NoValue};
 use crate::forecast::warning::extrapolated;
 use crate::forecast::{Field, Forecast, NoField};
-use crate::layout::Blocks;
 use crate::problem::Problem;
 
 /// Standard deviations from the mean to the 5 % point of a normal distribution.
@@ -201,10 +200,7 @@ fn anchor_share(case: &Case, check: Option<&CheckResult>) -> (f64, Judge) {
     match (check.and_then(CheckResult::anchor_share), case.layout.facing_bound()) {
         (Some(share), _) => (share, Judge::Check),
         (None, Some(bound)) => (bound, Judge::Estimate),
-        // Beyond one anchor to a repeating cell statics say what they carry together, not each.
-        (None, None) if case.layout.blocks == Blocks::Single || case.layout.grid.stagger => {
-            (1.0, Judge::Estimate)
-        }
+        (None, None) if case.layout.shares_unknown() => (1.0, Judge::Estimate),
         (None, None) => (1.0, Judge::Statics),
     }
 }
