@@ -6,7 +6,7 @@
 //! - [`mod@write`]: the clean form of a file; [`patch`]: changes that keep the rest of a text.
 //! - [`mod@difference`]: what differs between two projects.
 //! - `kept`: the result of a check as the file holds it.
-//! - [`wire_file`]: net and wires in a file of their own; [`method_file`]: a derived method.
+//! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
 //! - [`mod@claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
