@@ -23,10 +23,7 @@ pub(super) fn start(mail: Mail, rescue: Arc<Rescue>) -> io::Result<()> {
                         mail.event(event);
                     });
                 }
-                // The process is about to end, and all is in order; it may do so at once.
-                heard::Meaning::End if rescue.is_over() => {
-                    let _ = signal_hook::low_level::emulate_default_handler(signal);
-                }
+                heard::Meaning::End if rescue.is_over() => see_out(signal),
                 heard::Meaning::End => {
                     mail.send(Message::HangUp);
                     if !ending {
@@ -104,6 +101,27 @@ mod heard {
 #[cfg(not(unix))]
 pub(super) fn start(_mail: Mail, _rescue: Arc<Rescue>) -> io::Result<()> {
     Ok(())
+}
+
+/// Ends a process whose session is over, and all is in order, as the signal would have done, but not
+/// before it had the time to end by itself: a line that drops is noticed by what is read from it and told by
+/// a signal, in either order, and the status told to a shell should be the same.
+#[cfg(unix)]
+fn see_out(signal: i32) {
+    use signal_hook::low_level::emulate_default_handler;
+    use std::thread;
+    use std::time::Duration;
+
+    /// Time for the last words and the end of the process.
+    const LEAVE: Duration = Duration::from_millis(500);
+
+    let waiting = thread::Builder::new().name("see-out".to_owned()).spawn(move || {
+        thread::sleep(LEAVE);
+        let _ = emulate_default_handler(signal);
+    });
+    if waiting.is_err() {
+        let _ = emulate_default_handler(signal);
+    }
 }
 
 /// Ends the process when the loop has not done so in good time: it may be waiting for a terminal that
