@@ -161,13 +161,12 @@ impl Geometry {
 /// The flag of the spacing where there are two.
 const LX_FLAG: &str = "--Lx";
 
-impl From<Geometry> for Inputs {
-    fn from(geometry: Geometry) -> Self {
-        Inputs { geometry, ..Inputs::default() }
-    }
-}
-
 impl Inputs {
+    /// Those of a check, which has no branch of equations.
+    pub(crate) fn of_check(geometry: Geometry, question: InputFlags<true>) -> Inputs {
+        Inputs { geometry, branch: None, question }
+    }
+
     /// The cases of a project file's layouts, or of the one that is named.
     ///
     /// # Errors

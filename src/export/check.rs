@@ -142,7 +142,10 @@ fn notes(
     } else {
         format!(" (this was written by {})", Revisions::CURRENT)
     };
-    notes.push(format!("made by {}{other}, inputs {}; made again by: {repeat}", v.by, v.inputs));
+    notes.push(format!(
+        "made by {}{other}, fingerprint of the check's inputs {}; made again by: {repeat}",
+        v.by, v.inputs
+    ));
     notes
 }
 

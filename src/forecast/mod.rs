@@ -176,6 +176,16 @@ impl NoField {
         }
     }
 
+    /// Why, in a few words.
+    pub(crate) fn reason(self) -> &'static str {
+        match self {
+            NoField::PunchOnPlate => "the block is on a plate",
+            NoField::PassesThrough => "the block is smaller than the mesh opening",
+            NoField::Grid => "no relation for this grid, and no check",
+            NoField::Overlap => "mirrored blocks overlap",
+        }
+    }
+
     /// That there is no value, and why; without a final stop.
     pub(crate) fn sentence(self) -> &'static str {
         match self {

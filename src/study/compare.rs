@@ -5,6 +5,7 @@ use crate::case::{Case, Derived, Input, NoValue};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::forecast::design::{Answer, AtForce};
 use crate::forecast::{Forecast, Strength};
+use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::remark::Weight;
 use crate::words::Choice;
@@ -212,12 +213,19 @@ fn governing(rows: &[CompareRow]) -> Option<Governing> {
     weakest.map(|(row, _)| Governing { row, by: None })
 }
 
+/// What is to be known where the records of some meshes are means and those of others characteristic
+/// values.
+pub(crate) fn mixed<'m>(mut meshes: impl Iterator<Item = &'m MeshType>) -> Option<&'static str> {
+    let first = meshes.next()?.laboratory.statistic;
+    meshes.any(|mesh| mesh.laboratory.statistic != first).then_some(
+        "mean and characteristic laboratory values stand side by side: the forces of the layouts are not of one kind and not to be compared",
+    )
+}
+
 impl Comparison {
-    /// Whether the records of some meshes are means and those of others characteristic values.
-    pub(crate) fn mixed(&self) -> bool {
-        let kinds = self.rows.iter().map(|row| row.case.mesh.laboratory.statistic);
-        let first = self.rows.first().map(|row| row.case.mesh.laboratory.statistic);
-        kinds.into_iter().any(|kind| Some(kind) != first)
+    /// [`mixed`] of the rows.
+    pub(crate) fn mixed(&self) -> Option<&'static str> {
+        mixed(self.rows.iter().map(|row| &*row.case.mesh))
     }
 
     /// Fingerprint of all layouts with their names, in the project's order.
@@ -299,11 +307,11 @@ mod tests {
 
     #[test]
     fn a_mean_beside_a_characteristic_value_is_remarked() {
-        assert!(!three([None; 3]).mixed() && !compare([], Basis::Mean).mixed());
+        assert!(three([None; 3]).mixed().is_none() && compare([], Basis::Mean).mixed().is_none());
         let mut cases = [case(REFERENCE, None), case(REFERENCE, None)];
         let record = &mut std::sync::Arc::make_mut(&mut cases[1].mesh).laboratory;
         record.statistic = crate::mesh::Statistic::Characteristic;
-        assert!(all(["a", "b"].map(String::from).into_iter().zip(cases)).mixed());
+        assert!(all(["a", "b"].map(String::from).into_iter().zip(cases)).mixed().is_some());
     }
 
     #[test]

@@ -4,6 +4,7 @@
 use crate::dem::Fidelity;
 use crate::dem::bifurcation::Probe;
 use crate::dem::estimate::SNAP;
+use crate::forecast::NoField;
 use crate::remark::Weight;
 use crate::units::{significant, to_kn};
 use crate::words::Choice;
@@ -51,7 +52,7 @@ pub(crate) enum NoForecast {
     /// A laboratory test that Eqs. 1-2 do not cover.
     Laboratory,
     /// A layout outside the method.
-    Field,
+    Field(NoField),
     /// The net of a file, of which no laboratory record is known.
     OtherNet,
 }
@@ -108,6 +109,7 @@ impl CheckRemark {
     /// How much it weighs.
     pub(crate) fn weight(&self) -> Weight {
         match self {
+            CheckRemark::NoForecast(NoForecast::Field(NoField::PassesThrough)) => Weight::Caution,
             CheckRemark::OneAlignment | CheckRemark::NoForecast(_) | CheckRemark::WireLaw(_) => {
                 Weight::Note
             }
@@ -211,7 +213,8 @@ impl CheckRemark {
                 "no forecast to compare with: {}",
                 match why {
                     NoForecast::Laboratory => "Eqs. 1-2 hold for a centred punch of 1.0 m only",
-                    NoForecast::Field => "the method has none for this layout",
+                    NoForecast::Field(NoField::Grid) => "the method has none for this grid",
+                    NoForecast::Field(why) => why.reason(),
                     NoForecast::OtherNet => "the net is the file's, and the laboratory record another mesh's",
                 }
             ),

@@ -79,7 +79,7 @@ fn the_command_lines_of_a_report_give_its_fingerprints() {
     let mut fingerprint = String::new();
     let mut commands = 0;
     for line in report.lines() {
-        if let Some((_, rest)) = line.split_once("fingerprint of the inputs `") {
+        if let Some((_, rest)) = line.split_once("fingerprint of the forecast's inputs `") {
             fingerprint = rest.split('`').next().unwrap_or_default().to_string();
         }
         let Some(line) = line.strip_prefix("meshcast forecast ") else { continue };

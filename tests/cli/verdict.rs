@@ -142,3 +142,76 @@ fn plate_and_block_that_were_swapped_are_asked_about() {
         [true, false, false]
     );
 }
+
+#[test]
+fn a_check_is_judged_too() {
+    let check =
+        ["check", "-d", "0.3", "-L", "1.5", "-D", "0.5", "--runs", "2", "--fidelity", "quick"];
+    // Nothing asked, nothing judged.
+    let plain: serde_json::Value =
+        serde_json::from_str(&run(&[&check[..], &["--format", "json"]].concat()).out).unwrap();
+    assert!(plain["verdict"].is_null(), "{plain}");
+    let with = |force: &str, more: &[&str]| run(&[&check[..], &["--force", force], more].concat());
+    assert_eq!([with("1", &[]).code, with("1", &["--verdict"]).code], [0, 0]);
+    let failed = with("90", &["--verdict"]);
+    assert_eq!(failed.code, 3, "{}", failed.out);
+    assert!(failed.out.contains("FAILS: strength"), "{}", failed.out);
+    let v: serde_json::Value =
+        serde_json::from_str(&with("90", &["--format", "json"]).out).unwrap();
+    assert_eq!(v["verdict"]["verdict"], "FAILS");
+    // The forecast of this panel is about 20 kN; the weaker of both is what counts.
+    let by = &v["verdict"]["checks"][0]["by"];
+    let (ours, theirs) =
+        (v["mean"]["F_kN"].as_f64().unwrap(), v["forecast"]["F_kN"].as_f64().unwrap());
+    assert_eq!(by, if ours < theirs { "check" } else { "forecast" }, "{v}");
+    // A laboratory's test is no panel on a slope.
+    let lab = run(&[&check[..], &["--test", "laboratory", "--force", "90", "--verdict"]].concat());
+    assert_eq!(lab.code, 0, "{}", lab.out);
+}
+
+#[test]
+fn meshes_of_two_kinds_of_values_are_not_compared_without_a_word() {
+    let mesh = |id: &str, kind: &str| {
+        format!(
+            r#"(id: "{id}", laboratory: (force: 70, deflection: 0.6, statistic: {kind}, source: "made up"))"#
+        )
+    };
+    let text = format!(
+        r#"(version: 2, name: "p", meshes: [{}, {}], layouts: [
+            (name: "a", d: 0.25, L: 2, D: 0.6, mesh: "m"), (name: "b", d: 0.25, L: 2, D: 0.6, mesh: "c")])"#,
+        mesh("m", "Mean"),
+        mesh("c", "Characteristic")
+    );
+    let (_keep, path) = file("mixed.ron", &text);
+    let said = |text: String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = "mean and characteristic laboratory values stand side by side";
+    assert!(said(good(&["compare", shown(&path)])).contains(words));
+    assert!(json(&["compare", shown(&path)])["remark"].as_str().unwrap().contains(words));
+    assert!(said(good(&["report", shown(&path)])).contains(words));
+    let (_keep, path) = file("one.ron", &text.replace("Characteristic", "Mean"));
+    assert!(!said(good(&["compare", shown(&path)])).contains(words));
+}
+
+#[test]
+fn a_layout_that_is_left_out_of_the_check_is_not_judged() {
+    let text = r#"(version: 2, name: "p", meshes: [(id: "bare", laboratory: (force: 70, deflection: 0.6, statistic: Mean, source: "made up"))],
+        layouts: [(name: "a", d: 0.3, L: 1.5, D: 0.5, mesh: "dt-8x10-2.7", design_force: 1),
+            (name: "no wire", d: 0.3, L: 1.5, D: 0.5, mesh: "bare", design_force: 1)])"#;
+    let (_keep, path) = file("p.ron", text);
+    let check = ["check", shown(&path), "--runs", "2", "--fidelity", "quick", "--verdict"];
+    let r = run(&check);
+    assert_eq!(r.code, 4, "{}{}", r.out, r.err);
+    // Of which nothing is asked, nothing is missed.
+    let (_keep, path) = file("p.ron", &text.replace(r#""bare", design_force: 1"#, r#""bare""#));
+    let r = run(&["check", shown(&path), "--runs", "2", "--fidelity", "quick", "--verdict"]);
+    assert_eq!(r.code, 0, "{}{}", r.out, r.err);
+}
+
+#[test]
+fn a_block_smaller_than_the_opening_is_said_by_a_check() {
+    let v = json(&["check", "-D", "0.05", "-L", "1.5", "--runs", "1", "--fidelity", "quick"]);
+    let all = v["warnings"].as_array().unwrap();
+    let said = |w: &&serde_json::Value| w["code"] == "no_forecast";
+    let one = all.iter().find(said).unwrap_or_else(|| panic!("{v}"));
+    assert!(one["message"].as_str().unwrap().contains("smaller than the mesh opening"), "{one}");
+}

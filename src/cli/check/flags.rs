@@ -2,8 +2,10 @@
 
 use crate::cli::case::Geometry;
 use crate::cli::choice::one_of;
+use crate::cli::input_flags::InputFlags;
 use crate::cli::output::{Fault, TableFormat};
 use crate::cli::quantity;
+use crate::cli::verdict::VerdictFlags;
 use crate::dem::fast::Path as Instructions;
 use crate::dem::{Controls, Fidelity, Test};
 use crate::study::ensemble::Plan;
@@ -43,6 +45,10 @@ pub(crate) struct CheckArgs {
     pub(super) layout: Option<String>,
     #[command(flatten)]
     pub(super) geometry: Geometry,
+    #[command(flatten)]
+    pub(super) question: InputFlags<true>,
+    #[command(flatten)]
+    pub(super) verdict: VerdictFlags,
     /// Which punch test: the periodic cell held by plates, or the panel held along its edges.
     #[arg(long, value_name = "TEST", default_value = "anchored", value_parser = one_of(Test::ALL), help_heading = "Test")]
     pub(super) test: Test,

@@ -6,6 +6,7 @@ use crate::dem::lattice::Role;
 use crate::dem::outcome::{AnchorForce, Break, Quality, RunOutcome};
 use crate::show::objects::{curve, ends, head, inputs, maybe_pair, pair, remark};
 use crate::show::value::{Object, Value, exact, kn, word};
+use crate::show::verdict;
 use crate::study::blocks::{Stood, word as word_of};
 use crate::study::ensemble::{Run, Spread};
 use crate::study::result::WorstAnchor;
@@ -48,6 +49,7 @@ fn one(c: &Checked) -> Object {
         .with("other_arrangements", c.others.iter().map(other).collect::<Value>())
         .with("worst_anchor", c.anchor().map(anchor))
         .with("forecast", maybe_pair(c.forecast.values.map(|v| (v.force, v.deflection))))
+        .maybe("verdict", c.verdict.as_ref().map(|v| verdict::object(&c.case, v)))
         .with("warnings", remarks.collect::<Value>())
 }
 

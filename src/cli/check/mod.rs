@@ -22,7 +22,7 @@ use super::{UiFlags, VERSION};
 use crate::case::{Case, expected_break};
 use crate::dem::{Arrangement, Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
-use crate::forecast::{Field, Strength, laboratory};
+use crate::forecast::{Field, NoField, Strength, laboratory};
 use crate::mesh::STANDARD_PUNCH;
 use crate::problem::Problem;
 use crate::project;
@@ -31,7 +31,8 @@ use crate::study::ensemble::{Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
 use crate::study::result::sampled::{Catch, catches, characteristic};
-use crate::study::result::{WorstAnchor, worst_anchor};
+use crate::study::result::{CheckResult, Wanted, WorstAnchor, worst_anchor};
+use crate::study::verdict::{Basis, Finding, Forecasted, Simulated, Verdict, verdict};
 use std::sync::Arc;
 
 /// One case with its check.
@@ -54,6 +55,8 @@ struct Checked {
     forecast: Forecast,
     fingerprint: Fingerprint,
     remarks: Vec<CheckRemark>,
+    /// Whether it is enough, where anything is asked of the anchored panel.
+    verdict: Option<Verdict>,
 }
 
 impl Checked {
@@ -106,6 +109,8 @@ struct Forecast {
     values: Option<Strength>,
     /// The whole curve, of the anchored test.
     field: Option<Field>,
+    /// Why the anchored panel has none.
+    outside: Option<NoField>,
     /// Whether there is none because the wires are of another net than the mesh.
     other_net: bool,
 }
@@ -124,27 +129,33 @@ struct Ready {
 /// Runs the checks and writes the result in the form asked for.
 pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     let mut unit = ui.units;
-    let inputs = Inputs::from(args.geometry.clone());
+    let inputs = Inputs::of_check(args.geometry.clone(), args.question.clone());
+    let mut basis = Basis::default();
     let cases = match &args.project {
         None => vec![inputs.alone()?],
         Some(path) => {
             let opened = project::load(path)?;
+            basis = opened.project.basis;
             unit = unit.or(Some(opened.project.display.length_unit));
             inputs.of_project(&opened.project, args.layout.as_deref())?
         }
     };
+    let basis = args.verdict.basis(basis);
     let several = args.project.is_some() && args.layout.is_none();
     let wires = Wires::read(args.mesh_file.as_deref(), args.law.as_deref())?;
     let mut notes = Vec::new();
-    let mut ready = Vec::new();
+    let (mut ready, mut left_out) = (Vec::new(), Vec::new());
     let asked = cases.len();
     for case in cases {
         let name = case.name.clone();
+        let asked_of = case.case.clone();
         match (prepare(args, &inputs, &wires, case), name) {
             (Ok(one), _) => ready.push(one),
             // One layout of many that cannot be checked is no reason not to check the others.
             (Err(Fault::Input(found)), Some(name)) if several && asked > 1 => {
                 notes.extend(found.iter().map(|f| format!("layout {name:?} is left out: {f}")));
+                let unjudged = Forecasted::none("it cannot be checked");
+                left_out.push(verdict(&asked_of, unjudged, Simulated::Missing, basis));
             }
             (Err(fault), _) => return Err(fault),
         }
@@ -153,7 +164,7 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
         return Err(Fault::Input(notes));
     }
     notes.iter().for_each(|note| say("note", note));
-    let (checked, interrupted) = check_all(ready)?;
+    let (checked, interrupted) = check_all(ready, basis)?;
     let result = match args.format {
         TableFormat::Text => text::report(&checked, unit.unwrap_or_default()),
         TableFormat::Json => json::report(&checked, several)?,
@@ -163,7 +174,9 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     };
     // A check of which no run came to an end is no answer.
     let failed = !interrupted && checked.iter().any(|c| c.counted() == 0);
-    Ok(Output { result, failed, interrupted, ..Output::default() })
+    let verdict =
+        args.verdict.code(checked.iter().filter_map(|c| c.verdict.as_ref()).chain(&left_out));
+    Ok(Output { result, failed, verdict, interrupted, ..Output::default() })
 }
 
 /// Finds all that can be wrong before anything is run.
@@ -210,22 +223,40 @@ fn first_arrangement(case: &Case, test: Test) -> Arrangement {
 /// punch at its centre.
 fn forecast_of(case: &Case, test: Test) -> Result<Forecast, Fault> {
     let (layout, f) = (&case.layout, case.forecast()?);
+    let none = Forecast { outside: f.field.err(), ..Forecast::default() };
     Ok(match test {
         Test::Anchored => {
             let field = f.field.ok();
-            Forecast { values: field.map(|field| field.values), field, other_net: false }
+            Forecast { values: field.map(|field| field.values), field, ..none }
         }
         Test::Laboratory => {
             let covered = layout.punch == STANDARD_PUNCH && (layout.ex, layout.ey) == (0.0, 0.0);
             let values = covered.then(|| laboratory::to_panel(f.laboratory, layout.spacing));
-            Forecast { values, field: None, other_net: false }
+            Forecast { values, ..none }
         }
     })
 }
 
+/// The verdict by the check beside the forecast; nothing where nothing is asked, and of a laboratory
+/// test, which is no panel on a slope.
+fn judged(c: &Checked, basis: Basis) -> Option<Verdict> {
+    if !c.test_is_anchored() {
+        return None;
+    }
+    let Plan { runs, seed, .. } = c.plan;
+    let wanted = Wanted { fidelity: c.fidelity, runs, seed };
+    let result = CheckResult::from_ensemble(&c.ensemble, &wanted, c.fingerprint);
+    let forecast = match c.forecast.other_net {
+        true => Forecasted::none("the forecast is of another net"),
+        false => Forecasted::from(&c.case.derive()),
+    };
+    let found = verdict(&c.case, forecast, Simulated::Current(&result), basis);
+    (found.finding() != Finding::NotAsked).then_some(found)
+}
+
 /// Runs them one after the other; tells if the user ended it early. What was not begun by then is
 /// left out.
-fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
+fn check_all(ready: Vec<Ready>, basis: Basis) -> Result<(Vec<Checked>, bool), Fault> {
     let watch = Watch::start();
     let parts = ready.len();
     let mut checked: Vec<Checked> = Vec::new();
@@ -262,8 +293,10 @@ fn check_all(ready: Vec<Ready>) -> Result<(Vec<Checked>, bool), Fault> {
             forecast,
             fingerprint,
             remarks: Vec::new(),
+            verdict: None,
         };
         one.remarks = remarks::of(&one);
+        one.verdict = judged(&one, basis);
         checked.push(one);
     }
     let runs: usize = checked.iter().map(|c| c.ensemble.runs.len()).sum();

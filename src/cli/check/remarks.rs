@@ -1,7 +1,7 @@
 //! What a check has to say about itself.
 
 use super::Checked;
-use crate::dem::Test;
+use crate::forecast::NoField;
 use crate::study::remark::{CheckRemark, NoForecast};
 
 /// Stretch of the net beyond which it is said.
@@ -10,13 +10,15 @@ const MUCH_STRETCH: f64 = 0.02;
 /// The remarks on a check, the heaviest first.
 pub(super) fn of(c: &Checked) -> Vec<CheckRemark> {
     let mut list = c.ensemble.remarks(c.fidelity, c.plan.phase.is_some());
-    if c.forecast.values.is_none() {
-        list.push(CheckRemark::NoForecast(match c.spec.test {
-            _ if c.forecast.other_net => NoForecast::OtherNet,
-            Test::Laboratory => NoForecast::Laboratory,
-            Test::Anchored => NoForecast::Field,
-        }));
-    }
+    let without = match (c.forecast.values, c.forecast.outside) {
+        _ if c.forecast.other_net => Some(NoForecast::OtherNet),
+        (_, Some(why)) if c.test_is_anchored() || why == NoField::PassesThrough => {
+            Some(NoForecast::Field(why))
+        }
+        (None, _) => Some(NoForecast::Laboratory),
+        (Some(_), _) => None,
+    };
+    list.extend(without.map(CheckRemark::NoForecast));
     let stretch = c.stretch.map(|s| s - 1.0);
     if stretch.iter().any(|part| part.abs() > MUCH_STRETCH) {
         list.push(CheckRemark::Stretch(stretch));

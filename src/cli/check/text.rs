@@ -9,7 +9,7 @@ use crate::curve::Curve;
 use crate::dem::{Arrangement, Stop, Test};
 use crate::forecast::CURVE_POINTS;
 use crate::layout::Blocks;
-use crate::show::say;
+use crate::show::{say, verdict};
 use crate::study::blocks::word;
 use crate::study::ensemble::{Run, weighted_mean};
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
@@ -50,6 +50,7 @@ impl Page {
 fn one(c: &Checked, unit: LengthUnit) -> Vec<String> {
     let mut page = Page { lines: Vec::new(), unit };
     inputs(&mut page, c);
+    judged(&mut page, c);
     side_by_side(&mut page, c);
     curves(&mut page, c);
     runs(&mut page, c);
@@ -96,6 +97,15 @@ fn inputs(page: &mut Page, c: &Checked) {
     );
     page.line("test", text);
     page.line("mesh", format!("{} ({})", c.case.mesh.id, c.case.mesh.title()));
+}
+
+/// Whether it is enough, where that is asked.
+fn judged(page: &mut Page, c: &Checked) {
+    let Some(v) = &c.verdict else { return };
+    page.line("VERDICT", format!("{}; {} values", verdict::short(v), v.basis.word()));
+    for line in verdict::lines(&c.case, v, page.unit) {
+        page.line("", line);
+    }
 }
 
 /// Forecast and check beside each other, with the difference.

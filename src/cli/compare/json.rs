@@ -27,6 +27,7 @@ pub(crate) fn report(compared: &Compared, order: &[usize]) -> Result<String, Fau
         .with("fingerprint", c.fingerprint().to_string())
         .with("governing", governing)
         .maybe("check_plan", compared.checked.as_ref().map(|(wanted, _)| plan(wanted)))
+        .maybe("remark", c.mixed())
         .with("layouts", order.iter().map(|index| one(compared, *index)).collect::<Value>())
         .with("basis", BASIS);
     Ok(json(&report)? + "\n")

@@ -54,6 +54,9 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> 
     let (name, why) = comparison::governing(c);
     let name = name.map_or(String::new(), |name| format!("{name}: "));
     page.line("> governing", name + &why);
+    if let Some(remark) = c.mixed() {
+        page.line("!", remark);
+    }
     both::table(&mut page, compared, order);
     for index in order {
         let found = &c.rows[*index].verdict;

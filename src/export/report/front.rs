@@ -7,6 +7,7 @@ use crate::export::ExportedLayout;
 use crate::export::svg::{Series, chart};
 use crate::mesh::MeshType;
 use crate::show::{say, verdict};
+use crate::study::compare::mixed;
 use crate::study::verdict::Finding;
 use crate::units::{
     LengthUnit, force_text, length_entry, maybe_length_text, shortest, significant, to_kn,
@@ -125,6 +126,9 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
         rows: report.cases.iter().map(|case| result_row(case, report.unit)).collect(),
         numbers: true,
     });
+    if let Some(remark) = mixed(report.cases.iter().map(|case| &*case.case.mesh)) {
+        document.quote(strong(format!("Note: {remark}.")));
+    }
     document.say("Forces are those at failure of the panel, and the forces on each anchor. The last column counts the warnings, which stand in whole with each layout.");
     let series: Vec<Series<'_>> = report
         .cases

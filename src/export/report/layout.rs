@@ -48,7 +48,7 @@ pub(crate) fn layout(
     }
     lines.extend(command::from_numbers(case));
     if !lines.is_empty() {
-        let mut words = Words::from("The same numbers; fingerprint of the inputs ");
+        let mut words = Words::from("The same numbers; fingerprint of the forecast's inputs ");
         words.0.extend(code(case.case.fingerprint().to_string()).0);
         words.0.extend(Words::from(":").0);
         document.quote(words);

@@ -26,19 +26,17 @@ pub struct Forecasted {
 /// Why there is no panel to judge by.
 const SENSELESS: &str = "the sizes make no sense";
 
-fn outside(why: NoField) -> &'static str {
-    match why {
-        NoField::PunchOnPlate => "the block is on a plate",
-        NoField::PassesThrough => "the block is smaller than the mesh opening",
-        NoField::Grid => "no relation for this grid, and no check",
-        NoField::Overlap => "mirrored blocks overlap",
+impl Forecasted {
+    /// No forecast, and why.
+    pub(crate) fn none(why: &'static str) -> Forecasted {
+        Forecasted { field: Err(why), extrapolated: false }
     }
 }
 
 impl From<&Forecast> for Forecasted {
     fn from(forecast: &Forecast) -> Forecasted {
         let extrapolated = forecast.extrapolated();
-        Forecasted { field: forecast.field.map_err(outside), extrapolated }
+        Forecasted { field: forecast.field.map_err(NoField::reason), extrapolated }
     }
 }
 
@@ -62,7 +60,7 @@ impl From<&CaseValue> for Forecasted {
         match outcome {
             Ok(point) => Forecasted::from(point),
             Err(NoValue::Outside(why)) => {
-                Forecasted { field: Err(outside(*why)), extrapolated: false }
+                Forecasted { field: Err(why.reason()), extrapolated: false }
             }
             Err(NoValue::Senseless(_)) => Forecasted { field: Err(SENSELESS), extrapolated: false },
         }

@@ -195,7 +195,8 @@ fn table(
     let hidden = view.order.len().saturating_sub(rows);
     let more = if hidden > 0 { format!(" {hidden} more ") } else { String::new() };
     let room = usize::from(area.width.saturating_sub(width(&more) + 1));
-    let mixed = if view.comparison.mixed() { "! mean beside characteristic; " } else { "" };
+    let mixed =
+        if view.comparison.mixed().is_some() { "! mean beside characteristic; " } else { "" };
     put(buf, foot, 0, 1, &cut(&format!("{mixed}{}", governing(view, room)), room), theme.title);
     put_right(buf, foot, 0, &more, theme.heading);
     place
