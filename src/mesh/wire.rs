@@ -75,6 +75,30 @@ pub enum Slack {
     Triangular,
 }
 
+/// Density of steel, kg/m3.
+const STEEL: f64 = 7850.0;
+/// Radius of a node's sphere over the wire's diameter, that of the reference mesh: 10.8/2.7.
+const NODE_RADIUS: f64 = 4.0;
+
+impl NetGeometry {
+    /// A double-twist net of this opening, length of a twist and wire, m. As in the reference mesh a single
+    /// wire reaches as far along the twists as across them, and a node's sphere has four times the wire's
+    /// diameter. A node has half the steel of its pair: a twist of two wires and two single wires.
+    pub(crate) fn of_double_twist(opening: f64, twist: f64, diameter: f64) -> NetGeometry {
+        let projection = 0.5 * opening;
+        let wire = (0.5 * opening).hypot(projection);
+        let area = std::f64::consts::PI * diameter * diameter / 4.0;
+        NetGeometry {
+            opening,
+            twist,
+            projection,
+            diameter,
+            node_mass: STEEL * area * (twist + wire),
+            node_radius: NODE_RADIUS * diameter,
+        }
+    }
+}
+
 impl WireData {
     /// Checks every value against its range.
     ///
@@ -144,4 +168,19 @@ fn check_curve(points: &[CurvePoint]) -> Option<Problem> {
         (strain, stress) = (p.0, p.1);
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_net_has_mass_and_nodes_of_its_own() {
+        let reference = NetGeometry::of_double_twist(0.08, 0.04, 0.0027);
+        assert_eq!((reference.projection, reference.node_radius), (0.04, 0.0108));
+        // By hand: 7850 x 5.7256e-6 x (0.04 + 0.056569) = 4.340 g; the published net has 3.9 g.
+        assert!((reference.node_mass - 0.004_340).abs() < 2e-6, "{}", reference.node_mass);
+        let fine = NetGeometry::of_double_twist(0.06, 0.03, 0.0022);
+        assert!((fine.node_mass - 0.002_161).abs() < 2e-6 && fine.node_radius == 0.0088);
+    }
 }

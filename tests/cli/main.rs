@@ -1,6 +1,7 @@
 //! The built binary without a screen: results, errors, exit codes.
 
 mod bench;
+mod calibrate;
 mod campaign;
 mod cases;
 mod check;

@@ -59,7 +59,7 @@ pub(crate) fn search<E>(
         best.evaluations += 1;
         let made = residuals(&at)?;
         if let Some(made) = &made {
-            learn(&mut best, &step, made);
+            learn(&mut best.jacobian, &best.residuals, &step, made);
         }
         let after = made.as_deref().map_or(f64::INFINITY, squares);
         if after < before {
@@ -83,10 +83,10 @@ pub(crate) fn search<E>(
     Ok(Some(best))
 }
 
-/// Puts into the Jacobian what a step has shown.
-fn learn(best: &mut Minimum, step: &[f64], made: &[f64]) {
+/// Puts into the Jacobian what a step from residuals `here` to `made` has shown.
+pub(crate) fn learn(jacobian: &mut [Vec<f64>], here: &[f64], step: &[f64], made: &[f64]) {
     let length: f64 = step.iter().map(|s| s * s).sum();
-    for (row, (made, here)) in best.jacobian.iter_mut().zip(made.iter().zip(&best.residuals)) {
+    for (row, (made, here)) in jacobian.iter_mut().zip(made.iter().zip(here)) {
         let expected: f64 = row.iter().zip(step).map(|(j, s)| j * s).sum();
         let miss = (made - here - expected) / length.max(1.0e-12);
         row.iter_mut().zip(step).for_each(|(j, s)| *j += miss * s);
@@ -160,6 +160,16 @@ pub(crate) fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Ve
     right.iter().all(|v| v.is_finite()).then_some(right)
 }
 
+/// The inverse of a small matrix, if it has one.
+pub(crate) fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let n = matrix.len();
+    let columns: Option<Vec<Vec<f64>>> = (0..n)
+        .map(|k| solve(matrix.to_vec(), (0..n).map(|i| f64::from(u8::from(i == k))).collect()))
+        .collect();
+    let columns = columns?;
+    Some((0..n).map(|i| (0..n).map(|k| columns[k][i]).collect()).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -179,6 +189,9 @@ mod tests {
                 assert!((precision[k][c] - entry).abs() < 1e-9);
             }
         }
+        // Its inverse by hand: determinant 6, [[5, -3], [-3, 3]]/6.
+        let inverse = inverse(&precision).unwrap();
+        assert!((inverse[0][1] + 0.5).abs() < 1e-9 && (inverse[1][1] - 0.5).abs() < 1e-9);
         assert_eq!(solve(vec![vec![1.0, 2.0], vec![2.0, 4.0]], vec![1.0, 1.0]), None);
     }
 

@@ -1,6 +1,7 @@
 //! A wire law fitted to many figures at once, from more than one start.
 //!
 //! - [`family`]: the laws to choose from.
+//! - [`data`], [`curve`]: what a laboratory tells of a mesh, as rows; [`posterior`]: which laws fit it.
 //! - [`rows`]: what is compared, and the simulations that give it.
 //! - [`levenberg`]: the search.
 //! - [`mod@reference`]: the rows and the starts that give the wires of the reference mesh.
@@ -10,17 +11,17 @@
 //! twist that never breaks); they are no part of the score by which starts are compared. All laws see the
 //! same alignments and slack, so that a row changes with the law alone.
 
+pub(crate) mod curve;
+pub(crate) mod data;
 pub mod family;
 mod levenberg;
+pub(crate) mod posterior;
 pub mod reference;
 pub(crate) mod rows;
 
 use family::LawParameters;
 use levenberg::squares;
 use rows::{Ended, FitQuestion, FitTell};
-
-/// Simulations of all rows at most in a search.
-const MOST: usize = 50;
 
 /// A row that holds a parameter where no data row feels it: no part of the score.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +40,6 @@ pub(crate) enum HeldFigure {
     /// A parameter by its number.
     Parameter(usize),
     /// The strength of the single wire, MPa.
-    #[expect(dead_code, reason = "for fits to other data, which come next")]
     WireStrength,
 }
 
@@ -96,8 +96,8 @@ impl FitQuestion {
         self.rows.iter().zip(values).map(|(row, value)| row.residual(*value)).collect()
     }
 
-    /// Searches from a law that rows of `held` keep where the data do not. Nothing where the start cannot
-    /// be run.
+    /// Searches from a law that rows of `held` keep where the data do not, with about `most` simulations of
+    /// all rows at most. Nothing where the start cannot be run.
     ///
     /// # Errors
     /// Why it was ended.
@@ -105,6 +105,7 @@ impl FitQuestion {
         &self,
         start: &LawParameters,
         held: &[Held],
+        most: usize,
         tell: &FitTell,
     ) -> Result<Option<FittedLaw>, Ended> {
         let mut first = None;
@@ -116,7 +117,7 @@ impl FitQuestion {
             all.extend(held.iter().map(|held| held.residual(&law)));
             Ok(Some(all))
         };
-        let Some(found) = levenberg::search(&start.logarithms(), MOST, &mut residuals)? else {
+        let Some(found) = levenberg::search(&start.logarithms(), most, &mut residuals)? else {
             return Ok(None);
         };
         let start_score = first.unwrap_or(f64::NAN);

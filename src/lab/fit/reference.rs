@@ -20,6 +20,9 @@ use std::sync::OnceLock;
 const TEXT: &str = include_str!("../../../assets/reference_fit.ron");
 const RECORD: &str = include_str!("../../../assets/reference_law.ron");
 
+/// Simulations of all rows at most in a search.
+const MOST: usize = 50;
+
 /// A force, kN, and a deflection, m.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -263,7 +266,7 @@ pub(crate) fn search(
     start: &FitStart,
     tell: &FitTell,
 ) -> Result<Option<FittedLaw>, Ended> {
-    question.fit(&start.law, &Held::near(&start.law, weights().hold), tell)
+    question.fit(&start.law, &Held::near(&start.law, weights().hold), MOST, tell)
 }
 
 #[cfg(test)]

@@ -29,7 +29,6 @@ pub(crate) struct FitScene {
 pub(crate) enum SceneKind {
     /// A punch test: which, and panel, plates and punch.
     Punch(Test, Layout),
-    #[expect(dead_code, reason = "for fits to other data, which come next")]
     /// A tensile test: width, length, m, and which way.
     Tensile(f64, f64, Pull),
 }
@@ -53,7 +52,6 @@ pub(crate) enum Made {
 }
 
 impl Made {
-    #[expect(dead_code, reason = "for fits to other data, which come next")]
     /// Part of the runs in which a double twist broke first.
     pub(crate) fn twists_first(&self) -> f64 {
         let first: Vec<Role> = match self {
@@ -68,7 +66,6 @@ impl Made {
 }
 
 /// What a row reads.
-#[expect(dead_code, reason = "some are for fits to other data, which come next")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Measure {
     /// Force at the first break, N.

@@ -1,6 +1,7 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test; with
 //! `--reference-fit` the wires of the reference mesh ([`mod@reference`]).
 
+mod data;
 mod reference;
 
 use crate::cli::check::threads;
@@ -35,10 +36,10 @@ the ratio of twist to wire are those of --from. The result can be used with chec
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct CalibrateArgs {
     /// Force at failure of the test.
-    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present = "reference_fit")]
+    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "curve"])]
     force: Option<f64>,
     /// Deflection at failure of the test.
-    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true, required_unless_present = "reference_fit")]
+    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "curve"])]
     deflection: Option<f64>,
     /// Side of the test's panel.
     #[arg(long, value_name = "M", default_value_t = STANDARD_PANEL, value_parser = quantity::length, allow_hyphen_values = true)]
@@ -70,6 +71,8 @@ pub(crate) struct CalibrateArgs {
     /// How the result is written.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    #[command(flatten)]
+    data: data::DataArgs,
 }
 
 /// What a calibration found.
@@ -85,6 +88,9 @@ struct Result<'a> {
 pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     if args.reference_fit {
         return reference::run(args);
+    }
+    if args.data.given() {
+        return data::run(args);
     }
     let start = start(&args.from)?;
     if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {

@@ -1,0 +1,460 @@
+//! `meshcast calibrate` with more than one punch test's force and deflection: the laws that fit all that is
+//! told of a mesh.
+
+use super::{CalibrateArgs, exists};
+use crate::cli::VERSION;
+use crate::cli::check::threads;
+use crate::cli::choice::one_of;
+use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
+use crate::cli::quantity;
+use crate::cli::watch::Watch;
+use crate::dem::tensile::Pull;
+use crate::dem::{Fidelity, Flow};
+use crate::lab::calibrate::unlike_steel;
+use crate::lab::fit::curve::{LabCurve, told};
+use crate::lab::fit::data::{FirstBond, MeshData, PunchData, TensileData};
+use crate::lab::fit::family::WORDS;
+use crate::lab::fit::posterior::{Identified, IdentifyOptions, SIMULATIONS, identify};
+use crate::lab::fit::reference::starts;
+use crate::lab::fit::rows::{Ended, FitScene, Measure};
+use crate::mesh::wire::{NetGeometry, WireData};
+use crate::project::{self, SaveError, commented};
+use crate::show::value::{Object, Value};
+use crate::study::ensemble::EnsembleProgress;
+use crate::units::{from_kn, shortest, significant, to_kn};
+use crate::words::Choice;
+use clap::Args;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// What else is known of the mesh.
+#[derive(Debug, Args, Clone, Default)]
+pub(crate) struct DataArgs {
+    /// Gives all laws that fit, from a weak and from a strong twist, and what the data hold; so does any flag
+    /// of this group.
+    #[arg(long, help_heading = "More data")]
+    ensemble: bool,
+    /// The test's whole curve: a table with a header such as deflection_mm,force_kN.
+    #[arg(long, value_name = "FILE", help_heading = "More data")]
+    curve: Option<PathBuf>,
+    /// Stiffness of the test at 75 % of its force, by the tangent, kN/m.
+    #[arg(long, value_name = "KN/M", value_parser = quantity::number, help_heading = "More data")]
+    k75: Option<f64>,
+    /// Another punch test of the mesh, each number as the flags take it; may be repeated.
+    #[arg(long, value_name = "FORCE,DEFLECTION,PANEL,PUNCH", value_parser = another, help_heading = "More data")]
+    another: Vec<[f64; 4]>,
+    /// Strength of the net along its twists, kN/m; each strength takes a minute more.
+    #[arg(long, value_name = "KN/M", value_parser = quantity::number, help_heading = "More data")]
+    strength_along: Option<f64>,
+    /// Strength of the net across its twists, kN/m.
+    #[arg(long, value_name = "KN/M", value_parser = quantity::number, help_heading = "More data")]
+    strength_across: Option<f64>,
+    /// Width and length of the piece that was pulled.
+    #[arg(long, value_name = "WIDTH,LENGTH", value_parser = sides, default_value = "1,1", help_heading = "More data")]
+    piece: Sides,
+    /// Strength of the wire, MPa.
+    #[arg(long, value_name = "MPA", value_parser = quantity::number, help_heading = "More data")]
+    wire_strength: Option<f64>,
+    /// Elongation of the wire at rupture, %.
+    #[arg(long, value_name = "PERCENT", value_parser = quantity::number, help_heading = "More data")]
+    wire_elongation: Option<f64>,
+    /// Which bond breaks first in the test.
+    #[arg(long, value_name = "BOND", value_parser = one_of(FirstBond::ALL), help_heading = "More data")]
+    breaks: Option<FirstBond>,
+    /// Opening of the mesh, across the twists, instead of that of --from.
+    #[arg(long, value_name = "M", value_parser = quantity::length, help_heading = "More data")]
+    opening: Option<f64>,
+    /// Length of a double twist.
+    #[arg(long, value_name = "M", value_parser = quantity::length, help_heading = "More data")]
+    twist: Option<f64>,
+    /// Diameter of the wire.
+    #[arg(long, value_name = "M", value_parser = quantity::length, help_heading = "More data")]
+    diameter: Option<f64>,
+}
+
+/// Width and length, m.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Sides([f64; 2]);
+
+fn numbers<'a, const N: usize>(text: &'a str, what: &str) -> Result<[&'a str; N], String> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    parts.try_into().map_err(|_| format!("{N} values with commas between them: {what}"))
+}
+
+fn sides(text: &str) -> Result<Sides, String> {
+    let [width, length] = numbers(text, "width, length, such as 1,1")?;
+    Ok(Sides([quantity::length(width)?, quantity::length(length)?]))
+}
+
+fn another(text: &str) -> Result<[f64; 4], String> {
+    let what = "force, deflection, panel, punch, such as 55,0.5,2,1";
+    let [force, deflection, panel, punch] = numbers(text, what)?;
+    Ok([
+        quantity::test_force(force)?,
+        quantity::length(deflection)?,
+        quantity::length(panel)?,
+        quantity::length(punch)?,
+    ])
+}
+
+impl DataArgs {
+    /// Whether anything of the group was given.
+    pub(super) fn given(&self) -> bool {
+        let flags =
+            [self.ensemble, self.curve.is_some(), !self.another.is_empty(), self.breaks.is_some()];
+        let numbers = [
+            self.k75,
+            self.strength_along,
+            self.strength_across,
+            self.wire_strength,
+            self.wire_elongation,
+            self.opening,
+            self.twist,
+            self.diameter,
+        ];
+        flags.contains(&true) || numbers.iter().any(Option::is_some)
+    }
+
+    /// What was told, or what is wrong with it.
+    fn data(&self, args: &CalibrateArgs, start: &WireData) -> Result<MeshData, Fault> {
+        let curve = self.curve.as_deref().map(read).transpose()?;
+        let end = curve.as_ref().map(LabCurve::end);
+        let Some(force) = args.force.or(end.map(|p| p.force)) else {
+            return Err(Fault::input(
+                "--force: the force of the test is missing; give it, or its --curve",
+            ));
+        };
+        let deflection = args.deflection.or(end.map(|p| p.deflection));
+        let mut punches = vec![PunchData {
+            panel: args.panel,
+            punch: args.punch,
+            force,
+            deflection,
+            stiffness: self.k75.map(from_kn),
+            curve,
+        }];
+        punches.extend(self.another.iter().map(|[force, deflection, panel, punch]| PunchData {
+            panel: *panel,
+            punch: *punch,
+            force: *force,
+            deflection: Some(*deflection),
+            stiffness: None,
+            curve: None,
+        }));
+        let pulls = [(Pull::Along, self.strength_along), (Pull::Across, self.strength_across)];
+        let tensile = pulls.into_iter().filter_map(|(pull, strength)| {
+            Some(TensileData { sides: self.piece.0, pull, strength: from_kn(strength?) })
+        });
+        let data = MeshData {
+            net: self.net(&start.net),
+            punches,
+            tensile: tensile.collect(),
+            wire_strength: self.wire_strength,
+            wire_elongation: self.wire_elongation.map(|percent| percent / 100.0),
+            first: self.breaks,
+        };
+        let problems = data.problems();
+        if problems.is_empty() { Ok(data) } else { Err(problems.into()) }
+    }
+
+    /// The net: that of the start where nothing else is said.
+    fn net(&self, start: &NetGeometry) -> NetGeometry {
+        if self.opening.is_none() && self.twist.is_none() && self.diameter.is_none() {
+            return *start;
+        }
+        let opening = self.opening.unwrap_or(start.opening);
+        let twist = self.twist.unwrap_or(0.5 * opening);
+        NetGeometry::of_double_twist(opening, twist, self.diameter.unwrap_or(start.diameter))
+    }
+}
+
+fn read(path: &Path) -> Result<LabCurve, Fault> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Fault::Failure(format!("--curve: {} cannot be read: {e}", path.display())))?;
+    LabCurve::read(&text)
+        .map_err(|problem| Fault::input(format!("--curve: {}: {problem}", path.display())))
+}
+
+/// Finds the laws and prints them.
+pub(super) fn run(args: &CalibrateArgs) -> CommandEnd {
+    let start = super::start(&args.from)?;
+    if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {
+        return Err(exists(path));
+    }
+    let data = args.data.data(args, &start)?;
+    let options = IdentifyOptions {
+        seed: args.seed,
+        // The prior and the ensemble leave more open than a quick run does.
+        fidelity: if args.fidelity == Fidelity::Fine { Fidelity::Standard } else { args.fidelity },
+        threads: threads(args.threads),
+    };
+    let watch = Watch::start();
+    let count = Mutex::new(Trials::default());
+    let parts = 2 * SIMULATIONS * (data.punches.len() + data.tensile.len());
+    let tell = |scene: &FitScene, now: EnsembleProgress| -> Flow {
+        // A lock is only poisoned by a panic, and the count stays whole.
+        let trial = count.lock().unwrap_or_else(std::sync::PoisonError::into_inner).at(scene, now);
+        let part = trial.min(parts) - 1;
+        watch.part(&format!("{}, trial {trial}", scene.words), part, parts, scene.end());
+        watch.tell(now)
+    };
+    let names = ["weak twist", "strong twist"];
+    let from: Vec<_> = starts()
+        .iter()
+        .filter(|start| ["weak twist", "strong twist and wire"].contains(&start.name.as_str()))
+        .map(|start| start.law)
+        .collect();
+    let found = match identify(&data, &from, &options, &tell) {
+        Ok(found) => found,
+        Err(Ended::Bad(problems)) => return Err(problems.into()),
+        Err(Ended::Cancelled) => {
+            watch.finish("no law yet");
+            return Ok(Output { interrupted: true, ..Output::default() });
+        }
+    };
+    watch.finish("laws that fit");
+    let Some(found) = found else {
+        return Err(Fault::Failure(
+            "no law of the family fits: none can be run, or in none does that bond break first"
+                .into(),
+        ));
+    };
+    let result = Told { args, data, found, names };
+    if let Some(path) = &args.out {
+        write_wires(path, &result.wire())?;
+    }
+    let text = match args.format {
+        Format::Text => result.text(),
+        Format::Json => json(&result.object())? + "\n",
+    };
+    Ok(Output { result: text, notes: result.remarks(), ..Output::default() })
+}
+
+fn write_wires(path: &Path, wire: &WireData) -> Result<(), Fault> {
+    let comment = "Net and wires of a mesh for the discrete element check: meshcast check --mesh-file THIS\nLengths m, mass kg, curves (strain, stress in MPa).";
+    let text = commented(wire, comment)
+        .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
+    project::create(path, &text).map_err(|e| match e {
+        SaveError::Exists(path) => exists(&path),
+        other => Fault::Failure(other.to_string()),
+    })
+}
+
+/// Counts the simulations of scenes by their progress.
+#[derive(Debug, Default)]
+struct Trials {
+    words: String,
+    done: usize,
+    trials: usize,
+}
+
+impl Trials {
+    /// The number of the simulation that tells this, from 1.
+    fn at(&mut self, scene: &FitScene, now: EnsembleProgress) -> usize {
+        if self.words != scene.words || now.done == 0 && self.done > 0 {
+            self.words.clone_from(&scene.words);
+            self.trials += 1;
+        }
+        self.done = now.done;
+        self.trials.max(1)
+    }
+}
+
+/// What was found, to be told.
+struct Told<'a> {
+    args: &'a CalibrateArgs,
+    data: MeshData,
+    found: Identified,
+    names: [&'static str; 2],
+}
+
+impl Told<'_> {
+    fn wire(&self) -> WireData {
+        let best = &self.found.laws[0];
+        let rows: Vec<&str> = self.found.question.rows.iter().map(|r| r.label.as_str()).collect();
+        let source = format!(
+            "Made by `meshcast calibrate` with more data: the best of {} laws, in the valley of the {}; fitted to {}; the prior is steel wire by EN 10223-3, 350 to 550 MPa, and 8 to 35 %",
+            self.found.laws.len(),
+            self.names[best.start],
+            rows.join(", ")
+        );
+        best.law.wire(self.data.net, source)
+    }
+
+    /// What a reader must know: steel that is none, and what cannot be reached.
+    fn remarks(&self) -> Vec<String> {
+        let mut said: Vec<String> = unlike_steel(&self.wire()).into_iter().collect();
+        let rows = self.found.question.rows.iter().zip(&self.found.values);
+        let off: Vec<String> = rows
+            .filter(|(row, value)| row.residual(**value).abs() > 3.0)
+            .map(|(row, value)| {
+                format!(
+                    "{}: nearest {}, wanted {}",
+                    row.label,
+                    shown(row.measure, *value),
+                    shown(row.measure, row.target)
+                )
+            })
+            .collect();
+        if !off.is_empty() {
+            said.push(format!(
+                "no law of the family reaches all of the data; the nearest is given ({}); see whether force, deflection, panel and units are those of one mesh, or start --from another net",
+                off.join("; ")
+            ));
+        }
+        let weight = |start| -> f64 {
+            let laws = self.found.laws.iter().filter(|law| law.start == start);
+            laws.map(|law| law.weight).sum()
+        };
+        if self.data.first.is_none() && weight(0) > 0.05 && weight(1) > 0.05 {
+            said.push("the data do not tell whether the twist or the wire is the weaker one; which bond broke first in the test would (--breaks)".into());
+        }
+        said
+    }
+
+    fn text(&self) -> String {
+        let f = &self.found;
+        let mut lines = Vec::new();
+        let mut line = |head: &str, text: &str| {
+            lines.extend(wrapped(&format!("{head:<14}"), text, 80));
+        };
+        line("calibration", &format!("[meshcast {VERSION}]"));
+        for (k, test) in self.data.punches.iter().enumerate() {
+            let curve = test.curve.as_ref().map_or(String::new(), |c| {
+                format!(
+                    "; curve of {} points to {}, {} gaps, {} points behind the largest force left out",
+                    c.points.len(),
+                    told(c.end()),
+                    c.gaps,
+                    c.behind
+                )
+            });
+            let delta =
+                test.deflection.map_or("not known".into(), |d| format!("{} m", significant(d, 3)));
+            line(
+                if k == 0 { "test" } else { "" },
+                &format!(
+                    "{} kN at {delta}; panel {} m, punch {} m{curve}",
+                    significant(to_kn(test.force), 4),
+                    shortest(test.panel),
+                    shortest(test.punch)
+                ),
+            );
+        }
+        for (number, fit) in &f.fits {
+            let weight: f64 =
+                f.laws.iter().filter(|law| law.start == *number).map(|law| law.weight).sum();
+            line(
+                self.names[*number],
+                &format!(
+                    "best law: sum of squares {}, {} of the weight, {} simulations",
+                    significant(fit.score, 3),
+                    percent(weight),
+                    fit.evaluations
+                ),
+            );
+        }
+        let [force, deflection] = f.anchored;
+        line(
+            "PREDICTED",
+            &format!(
+                "anchored reference (d 0.32, L 3, D 1 m): {} kN (5 to 95 %: {} to {}) at {:.3} m ({:.3} to {:.3}), over {} laws",
+                significant(to_kn(force[1]), 3),
+                significant(to_kn(force[0]), 3),
+                significant(to_kn(force[2]), 3),
+                deflection[1],
+                deflection[0],
+                deflection[2],
+                f.laws.len()
+            ),
+        );
+        let mut out = lines.join("\n") + "\n\n";
+        let _ =
+            writeln!(out, "{:<22}{:>9} {:>20}  held by the data", "parameter", "best", "5 to 95 %");
+        for (k, word) in WORDS.iter().enumerate() {
+            let [low, _, high] = f.ranges[k];
+            let _ = writeln!(
+                out,
+                "{word:<22}{:>9} {:>20}  {}",
+                significant(f.laws[0].law.values()[k], 3),
+                format!("{} to {}", significant(low, 3), significant(high, 3)),
+                percent(f.shares[k])
+            );
+        }
+        let _ = writeln!(out, "\n{:<36}{:>10} {:>10} {:>6}", "row", "data", "best law", "off");
+        for (row, value) in f.question.rows.iter().zip(&f.values) {
+            let _ = writeln!(
+                out,
+                "{:<36}{:>10} {:>10} {:>+6.1}",
+                row.label,
+                shown(row.measure, row.target),
+                shown(row.measure, *value),
+                row.residual(*value)
+            );
+        }
+        let method = "off: in standard deviations granted to the row. Held by the data: the part of a parameter's precision that the rows give; the prior (steel wire of 350 to 550 MPa and 8 to 35 %, the rest near the start) holds what is left.";
+        let _ = write!(out, "\n{}\n", wrapped("", method, 80).join("\n"));
+        if let Some(path) = &self.args.out {
+            let _ = writeln!(out, "\nThe best law is written to {}", path.display());
+        }
+        out
+    }
+
+    fn object(&self) -> Object {
+        let f = &self.found;
+        let range = |[low, middle, high]: [f64; 3]| {
+            Object::new()
+                .with("p5", Value::Exact(low))
+                .with("p50", Value::Exact(middle))
+                .with("p95", Value::Exact(high))
+        };
+        let parameters = WORDS.iter().enumerate().map(|(k, word)| {
+            range(f.ranges[k])
+                .with("parameter", *word)
+                .with("best", Value::Exact(f.laws[0].law.values()[k]))
+                .with("held_by_data", Value::Exact(f.shares[k]))
+        });
+        let rows = f.question.rows.iter().zip(&f.values).map(|(row, value)| {
+            Object::new()
+                .with("row", row.label.clone())
+                .with("data", Value::Exact(row.target))
+                .with("best_law", Value::Exact(*value))
+                .with("off", Value::Exact(row.residual(*value)))
+        });
+        let laws = f.laws.iter().map(|law| {
+            let values = law.law.values().map(Value::Exact).into_iter();
+            Object::new()
+                .with("start", self.names[law.start])
+                .with("parameters", values.collect::<Value>())
+                .with("sum_of_squares", Value::Exact(law.score))
+                .with("weight", Value::Exact(law.weight))
+                .with("twists_first", Value::Exact(law.twists_first))
+                .with("anchored_F_kN", Value::Exact(to_kn(law.anchored[0])))
+                .with("anchored_delta_m", Value::Exact(law.anchored[1]))
+        });
+        Object::new()
+            .with("version", VERSION)
+            .with("anchored_F_kN", range(f.anchored[0].map(to_kn)))
+            .with("anchored_delta_m", range(f.anchored[1]))
+            .with("parameters", parameters.collect::<Value>())
+            .with("rows", rows.collect::<Value>())
+            .with("laws", laws.collect::<Value>())
+            .with("remarks", self.remarks().into_iter().map(Value::from).collect::<Value>())
+    }
+}
+
+fn percent(part: f64) -> String {
+    // Nothing summed up is minus zero.
+    format!("{:.0} %", 100.0 * part + 0.0)
+}
+
+/// A row's value as people read it.
+fn shown(measure: Measure, value: f64) -> String {
+    match measure {
+        Measure::Force | Measure::ForceAt(_) | Measure::Stiffness | Measure::Strength => {
+            significant(to_kn(value), 4)
+        }
+        _ => significant(value, 4),
+    }
+}
