@@ -48,6 +48,7 @@ use crate::curve::Point;
 use crate::project::Holder;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::Wanted;
+use crate::study::result::remade::Former;
 use crate::units::LengthUnit;
 use derived::LayoutResult;
 use editor::{Editor, History, MeshChoice};
@@ -323,6 +324,11 @@ impl App {
     /// The result to show for the selected layout.
     pub fn shown_check(&self) -> Option<ShownCheck<'_>> {
         self.work.shown(&self.editor, self.live())
+    }
+
+    /// What another solver or sampling had found of a layout that this session checked again.
+    pub(crate) fn former(&self, uid: u64) -> Option<&Former> {
+        self.work.former(uid)
     }
 
     /// Why there is no live result for the selected layout.

@@ -105,6 +105,13 @@ mod system {
         }
         fchmod(file, Mode::from_raw_mode(old.st_mode))?;
         let mut lost = Vec::new();
+        let new = fstat(file)?;
+        if old.st_uid != new.st_uid {
+            lost.push(format!("its owner (user {})", old.st_uid));
+        }
+        if old.st_gid != new.st_gid {
+            lost.push(format!("its group ({})", old.st_gid));
+        }
         for name in names(like) {
             let Ok(name) = CStr::from_bytes_with_nul(&name) else { continue };
             if value(like, name) != value(file, name) && !carry(like, file, name) {

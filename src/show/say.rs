@@ -1,12 +1,14 @@
 //! What a case gives, in a line for people.
 
 use crate::case::CasePoint;
+use crate::curve::Point;
 use crate::forecast::field::Branch;
 use crate::forecast::{Field, Strength};
 use crate::layout::{Layout, Twists};
 use crate::method::DerivedMethod;
 use crate::study::checks::Difference;
 use crate::study::checks::figures::Figures;
+use crate::study::result::remade::Former;
 use crate::units::{
     LengthUnit, force_text, length_entry, length_text, maybe_length_text, percent, significant,
     to_kn,
@@ -139,6 +141,19 @@ fn apart(from: Strength, to: Strength) -> String {
 pub(crate) fn difference(d: &Difference) -> String {
     let delta = d.deflection.map(|part| format!(", delta {:+.0} %", 100.0 * part));
     format!("F {:+.0} %{}", 100.0 * d.force, delta.unwrap_or_default())
+}
+
+/// What a kept check had before it was made again by another solver or sampling, and how far the result
+/// has moved: `22.5 kN, 0.541 m by solver 1, sampling 1, quick; now F +1 %, delta +2 %`.
+pub(crate) fn former(former: &Former, now: Option<Point>, unit: LengthUnit) -> String {
+    let (old, was) = (&former.result, former.mean());
+    let was = was.map_or("no break".into(), |p| {
+        format!("{}, {}", force_text(p.force), length_text(p.deflection, unit))
+    });
+    let moved = former.moved(now).map(|d| format!("; now {}", difference(&d)));
+    let others = if former.same_inputs { "" } else { "; of other inputs or wires" };
+    let fidelity = old.wanted.fidelity.word();
+    format!("{was} by {}, {fidelity}{}{others}", old.by, moved.unwrap_or_default())
 }
 
 /// What a check says, with its difference from the forecast.

@@ -316,3 +316,27 @@ fn a_check_of_which_no_run_came_to_an_end_is_no_success() {
     assert!(got.out.contains("1 run diverged and is not counted"), "{}", got.out);
     assert!(got.out.contains("no break"), "{}", got.out);
 }
+
+#[test]
+fn a_project_s_check_of_another_solver_stands_beside_the_new_one() {
+    let text = include_str!("../golden/inputs/kept.ron");
+    let check = |text: &str| {
+        let (_keep, path) = file("kept.ron", text);
+        let one =
+            ["check", shown(&path), "--layout", "centred", "--fidelity", "quick", "--runs", "2"];
+        let got = run(&[&one[..], &["--format", "json"]].concat());
+        let v: Value = serde_json::from_str(&got.out).expect("standard output is JSON");
+        (v["kept_before"].clone(), run(&one).out)
+    };
+    let now = meshcast::study::result::Revisions::CURRENT.to_string();
+    let at = text.find("by:\"").expect("a kept check") + 4;
+    let by = &text[at..at + text[at..].find('"').expect("its end")];
+    let (before, said) = check(&text.replace(by, &now));
+    assert!(before.is_null() && !said.contains("kept check"), "{before}");
+    let (before, said) = check(&text.replace(by, "solver 1, sampling 1"));
+    assert_eq!(before["made_by"], "solver 1, sampling 1");
+    assert_eq!(before["same_inputs"], true, "{before}");
+    // The same solver in truth: nothing has moved beyond the rounding of what is kept.
+    assert!(before["change_F"].as_f64().unwrap().abs() < 1e-4, "{before}");
+    assert!(said.contains("by solver 1, sampling 1, quick; now F"), "{said}");
+}

@@ -11,8 +11,8 @@ use meshcast::dem::Fidelity;
 use meshcast::job::news::{Progress, What};
 use meshcast::job::order::Task;
 use meshcast::job::{News, Ticket};
-use meshcast::study::result::Wanted;
-use std::sync::Mutex;
+use meshcast::study::result::{Revisions, Wanted};
+use std::sync::{Arc, Mutex};
 
 fn app() -> App {
     let mut app = start(small(), (80, 24), COLOR);
@@ -265,4 +265,38 @@ fn a_result_of_another_solver_is_stale() {
     project.layouts[0].check = Some(older.into());
     let app = start(project, (80, 24), COLOR);
     assert!(app.shown_check().unwrap().stale() && text(&app).contains("stale"));
+}
+
+#[test]
+fn what_a_new_solver_changed_is_told_of_each_layout() {
+    let mut app = app();
+    check(&mut app, "C");
+    // The same checks as another solver kept them, of a project that is opened anew.
+    let mut project = (**app.project()).clone();
+    for layout in &mut project.layouts {
+        let Some(kept) = &layout.check else { continue };
+        let mut old = (**kept).clone();
+        old.by = Revisions { solver: 1, sampling: 1 };
+        old.force.mean /= 1.25;
+        layout.check = Some(Arc::new(old));
+    }
+    let mut app = start(project, (100, 120), COLOR);
+    press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>");
+    let page = |app: &mut App| {
+        press(app, "i");
+        let lines = text(app);
+        press(app, "<Esc>");
+        lines.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert!(!page(&mut app).contains("Checks made again"));
+    check(&mut app, "C");
+    let said = &app.status().unwrap().text;
+    assert!(said.contains("i: what the new solver changed"), "{said}");
+    let page = page(&mut app);
+    let told = page.split("Checks made again").nth(1).unwrap_or_else(|| panic!("{page}"));
+    let at = |name: &str| told.find(name).unwrap_or_else(|| panic!("{told}"));
+    let (one, two) = (at("one: "), at("two: "));
+    for part in [&told[one..two], &told[two..]] {
+        assert!(part.contains("by solver 1, sampling 1, quick; now F +25 %, delta +0 %"), "{part}");
+    }
 }

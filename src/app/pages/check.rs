@@ -5,6 +5,7 @@ use crate::app::App;
 use crate::app::work::live::LIVE_RUNS;
 use crate::app::work::shown::Standing;
 use crate::dem::outcome::Quality;
+use crate::show::say;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
@@ -89,6 +90,34 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     quality(page, &v.quality);
     remarks(page, v);
     page.row("inputs", &format!("{} (fingerprint)", v.inputs));
+}
+
+/// What the solver's or the sampling's new revision changed, of each layout that this session made again.
+pub(super) fn remade(page: &mut TextPage, app: &App) {
+    let formers: Vec<_> = app
+        .project()
+        .layouts
+        .iter()
+        .filter_map(|layout| Some((layout, app.former(layout.uid)?)))
+        .collect();
+    if formers.is_empty() {
+        return;
+    }
+    page.heading(&format!("Checks made again, now by {}", Revisions::CURRENT));
+    for (layout, former) in formers {
+        let now = layout.check.as_ref().and_then(|check| check.mean_break());
+        let now_text = now.map_or("no break".to_string(), |p| {
+            format!("{}, {}", force_text(p.force), length_text(p.deflection, app.units()))
+        });
+        page.text(
+            &format!(
+                "  {}: {now_text}; was {}",
+                layout.name,
+                say::former(former, now, app.units())
+            ),
+            4,
+        );
+    }
 }
 
 fn quality(page: &mut TextPage, q: &Quality) {

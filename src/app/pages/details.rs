@@ -35,6 +35,7 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
                 page.text(&format!("  ! {}", w.sentence()), 4);
             }
             check::section(&mut page, app);
+            check::remade(&mut page, app);
             numbers(&mut page, app, forecast);
         }
     }

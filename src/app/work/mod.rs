@@ -22,6 +22,7 @@ use crate::job::order::{Order, Task};
 use crate::problem::{self, Problem};
 use crate::study::result::Wanted;
 use crate::study::result::make::Made;
+use crate::study::result::remade::Former;
 use crate::units::{force_text, length_text};
 use campaign::Campaigns;
 use live::Live;
@@ -55,6 +56,8 @@ pub(super) struct Work {
     campaigns: Campaigns,
     /// The last results with their shape, which the project does not keep.
     shapes: Vec<(u64, Arc<Made>)>,
+    /// What another solver or sampling had made of layouts that this session checked again.
+    formers: Vec<(u64, Former)>,
 }
 
 impl Work {
@@ -67,6 +70,11 @@ impl Work {
     pub(super) fn growing(&self, uid: u64) -> &[Vec<Point>] {
         let progress = self.running.as_ref().and_then(RunningCheck::progress);
         progress.filter(|progress| progress.uid == uid).map_or(&[], |progress| &progress.curves)
+    }
+
+    /// What stood beside a layout before this session made its check again by another solver or sampling.
+    pub(super) fn former(&self, uid: u64) -> Option<&Former> {
+        self.formers.iter().find(|(of, _)| *of == uid).map(|(_, former)| former)
     }
 
     fn order(&mut self, task: Task) -> Order {
@@ -148,7 +156,9 @@ impl Work {
             (What::Refused { uid, problems }, Some(running)) => {
                 Some(running.refuse(editor, uid, &problems))
             }
-            (What::Ended { cancelled }, Some(_)) => self.running.take()?.ended(cancelled),
+            (What::Ended { cancelled }, Some(_)) => {
+                self.running.take()?.ended(cancelled, self.formers.len())
+            }
             (What::Failed, Some(_)) => {
                 self.running = None;
                 None
@@ -182,7 +192,13 @@ impl Work {
         } else {
             format!("{name}: no wire broke, peak {}", force_text(result.peak.force))
         };
+        let before = editor.layouts()[index].check.as_ref();
+        let former = editor.case(index).and_then(|case| Former::of(before, case));
         editor.keep_check(index, result.clone());
+        if let Some(former) = former {
+            self.formers.retain(|(other, _)| *other != uid);
+            self.formers.push((uid, former));
+        }
         self.shapes.retain(|(other, _)| *other != uid);
         self.shapes.push((uid, made));
         Some(Status::info(text))
@@ -198,7 +214,9 @@ impl RunningCheck {
     }
 
     /// What to say when it ends.
-    fn ended(self, cancelled: bool) -> Option<Status> {
+    ///
+    /// `formers`: of how many layouts the check was another program's before.
+    fn ended(self, cancelled: bool, formers: usize) -> Option<Status> {
         if cancelled {
             return Some(Status::info("check ended early; what was done is kept"));
         }
@@ -206,7 +224,8 @@ impl RunningCheck {
             return None;
         }
         let good = self.targets - self.refused.len();
-        let text = format!("{good} of {} layouts checked", self.targets);
+        let again = if formers > 0 { "; i: what the new solver changed" } else { "" };
+        let text = format!("{good} of {} layouts checked{again}", self.targets);
         Some(match self.refused.as_slice() {
             [] => Status::info(text),
             refused => Status::error(format!("{text}; not possible: {}", refused.join(", "))),

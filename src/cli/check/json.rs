@@ -10,6 +10,7 @@ use crate::show::verdict;
 use crate::study::blocks::{Stood, word as word_of};
 use crate::study::ensemble::{Run, Spread};
 use crate::study::result::WorstAnchor;
+use crate::study::result::remade::Former;
 use crate::study::result::sampled::Catch;
 use crate::units::to_kn;
 use crate::words::Choice;
@@ -17,6 +18,18 @@ use crate::words::Choice;
 /// One object, or a list of them with one line each.
 pub(crate) fn report(checked: &[Checked], several: bool) -> Result<String, Fault> {
     json_list(checked.iter().map(one), several)
+}
+
+/// The check that another solver or sampling made, with the parts by which it has moved.
+fn former(former: &Former, c: &Checked) -> Object {
+    let (was, moved) = (former.mean(), former.moved(c.mean_break()));
+    Object::new()
+        .with("made_by", former.result.by.to_string())
+        .with("fidelity", former.result.wanted.fidelity.word())
+        .with("same_inputs", former.same_inputs)
+        .with("mean", maybe_pair(was.map(|p| (p.force, Some(p.deflection)))))
+        .with("change_F", moved.map(|d| d.force))
+        .with("change_delta", moved.and_then(|d| d.deflection))
 }
 
 fn one(c: &Checked) -> Object {
@@ -49,6 +62,7 @@ fn one(c: &Checked) -> Object {
         .with("other_arrangements", c.others.iter().map(other).collect::<Value>())
         .with("worst_anchor", c.anchor().map(anchor))
         .with("forecast", maybe_pair(c.forecast.values.map(|v| (v.force, v.deflection))))
+        .maybe("kept_before", c.former.as_ref().map(|f| former(f, c)))
         .maybe("verdict", c.verdict.as_ref().map(|v| verdict::object(&c.case, v)))
         .with("warnings", remarks.collect::<Value>())
 }

@@ -20,6 +20,7 @@ use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
 use crate::case::{Case, expected_break};
+use crate::curve::Point;
 use crate::dem::{Arrangement, Controls, Fidelity, PLAIN_PHASE, Scene, SceneSpec, Stop, Test};
 use crate::fingerprint::Fingerprint;
 use crate::forecast::{Field, NoField, Strength, laboratory};
@@ -30,6 +31,7 @@ use crate::study::blocks::{self, Stood};
 use crate::study::ensemble::{Ensemble, Plan, Run};
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
+use crate::study::result::remade::Former;
 use crate::study::result::sampled::{Catch, catches, characteristic};
 use crate::study::result::{CheckResult, Wanted, WorstAnchor, worst_anchor};
 use crate::study::verdict::{Basis, Finding, Forecasted, Simulated, Verdict, verdict};
@@ -57,6 +59,8 @@ struct Checked {
     remarks: Vec<CheckRemark>,
     /// Whether it is enough, where anything is asked of the anchored panel.
     verdict: Option<Verdict>,
+    /// What another solver or sampling had found, where the project keeps that.
+    former: Option<Former>,
 }
 
 impl Checked {
@@ -85,6 +89,12 @@ impl Checked {
     /// On how much of the slope a plate catches how many nodes.
     fn catches(&self) -> Vec<Catch> {
         catches(&self.ensemble)
+    }
+
+    /// The mean first break, N and m.
+    fn mean_break(&self) -> Option<Point> {
+        let (force, deflection) = (self.ensemble.force.mean, self.ensemble.deflection.mean);
+        (self.broken() > 0).then_some(Point { deflection, force })
     }
 
     /// How many anchors carry 90 % of the force, of each run with a break.
@@ -124,6 +134,7 @@ struct Ready {
     plan: Plan,
     stretch: [f64; 2],
     forecast: Forecast,
+    former: Option<Former>,
 }
 
 /// Runs the checks and writes the result in the form asked for.
@@ -184,7 +195,7 @@ fn prepare(
     args: &CheckArgs,
     inputs: &Inputs,
     wires: &Wires,
-    NamedCase { name, mut case, .. }: NamedCase,
+    NamedCase { name, mut case, check }: NamedCase,
 ) -> Result<Ready, Fault> {
     let other_net = wires.other_net(&case.mesh);
     let plan = args.plan();
@@ -209,8 +220,9 @@ fn prepare(
         forecast = Forecast { other_net: true, ..Forecast::default() };
         case.mesh = Arc::new(mesh);
     }
+    let former = Former::of(check.as_ref(), &case).filter(|_| args.test == Test::Anchored);
     let stretch = case.layout.turned(scene.lattice.stretch);
-    Ok(Ready { name, case, spec, controls, plan, stretch, forecast })
+    Ok(Ready { name, case, spec, controls, plan, stretch, forecast, former })
 }
 
 /// The first arrangement that is simulated, with which all that can be wrong is found.
@@ -265,7 +277,7 @@ fn check_all(ready: Vec<Ready>, basis: Basis) -> Result<(Vec<Checked>, bool), Fa
             say("note", &format!("{} of {parts} layouts were not begun", parts - part));
             break;
         }
-        let Ready { name, case, spec, controls, plan, stretch, forecast } = one;
+        let Ready { name, case, spec, controls, plan, stretch, forecast, former } = one;
         let label = match &name {
             Some(name) if parts > 1 => format!("layout {name:?} ({} of {parts})", part + 1),
             _ => "check".to_string(),
@@ -294,6 +306,7 @@ fn check_all(ready: Vec<Ready>, basis: Basis) -> Result<(Vec<Checked>, bool), Fa
             fingerprint,
             remarks: Vec::new(),
             verdict: None,
+            former,
         };
         one.remarks = remarks::of(&one);
         one.verdict = judged(&one, basis);

@@ -168,6 +168,9 @@ fn side_by_side(page: &mut Page, c: &Checked) {
     if counted > 0 {
         row("  peak, mean", force_text(e.peak[0]), length(e.peak[1]));
     }
+    if let Some(former) = &c.former {
+        page.line("kept check", say::former(former, c.mean_break(), unit));
+    }
     if let Some(text) = sentence(&c.catches()) {
         page.line("patterns", text);
     }

@@ -4,6 +4,7 @@
 //!
 //! - [`make`]: a layout's ensemble, watched from outside, and its result.
 //! - [`revisions`]: which solver and sampling made it.
+//! - [`remade`]: what another solver or sampling had made.
 //! - [`sampled`]: where its runs stood among all alignments, and what each weighs.
 //! - [`mean`]: the mean curve and its band; [`places`]: where wires broke first; [`relief`]: the shape of the deformed net.
 //!
@@ -14,6 +15,7 @@ pub mod make;
 pub(crate) mod mean;
 pub(crate) mod places;
 pub mod relief;
+pub(crate) mod remade;
 pub(crate) mod revisions;
 pub mod sampled;
 
@@ -233,6 +235,12 @@ impl CheckResult {
     /// Whether there is a mean first break.
     pub(crate) fn broke(&self) -> bool {
         self.curve.failure.is_some()
+    }
+
+    /// The mean first break, N and m.
+    pub(crate) fn mean_break(&self) -> Option<Point> {
+        let (force, deflection) = (self.force.mean, self.deflection.mean);
+        self.broke().then_some(Point { deflection, force })
     }
 
     /// Whether it still is what this program would find for inputs with the fingerprint `now`, as
