@@ -184,6 +184,11 @@ pub const REFERENCE: Layout = Layout {
     shape: PunchShape::Dome,
 };
 
+/// A layout that is added to a project: the reference panel, with blocks that stand as they take the least and
+/// the method that is nearer to checks of layouts that no fit saw (`tests/bench/METHODS.md`).
+pub const NEW: Layout =
+    Layout { blocks: Blocks::Worst, method: MethodChoice::Derived, ..REFERENCE };
+
 /// Which branch of Eqs. A.1-A.2 (Pol & Gabrieli 2021) a forecast takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -377,6 +382,11 @@ impl Layout {
     /// Whether blocks may face each other: not on a staggered grid, and not where they would overlap.
     pub(crate) fn can_face(&self) -> bool {
         !self.grid.stagger && self.blocks_overlap().is_none()
+    }
+
+    /// Whether its blocks stand as the paper has them where they might face each other and then take less.
+    pub(crate) fn facing_left_out(&self) -> bool {
+        self.blocks == Blocks::Paper && self.folded() != (0.0, 0.0) && self.can_face()
     }
 
     /// Whether an offset along x (0) or y (1) is half the spacing.

@@ -25,7 +25,7 @@ pub(crate) mod ratios;
 pub(crate) mod warning;
 
 use crate::curve::{Curve, Point};
-use crate::layout::{self, BranchRule, Layout, MethodChoice};
+use crate::layout::{self, Blocks, BranchRule, Layout, MethodChoice};
 use crate::mesh::{MeshType, STANDARD_PANEL};
 use crate::method::DerivedMethod;
 use crate::problem::Problem;
@@ -337,6 +337,12 @@ pub fn forecast(
     };
     if let Ok(field) = &field {
         field_warnings(layout, field, reference, &eccentricity, &mut warnings);
+        if layout.facing_left_out() {
+            let worst = Layout { blocks: Blocks::Worst, ..*layout };
+            let worst = derived::derived(&worst, mesh, laboratory).field;
+            let told = worst.map(|f| Warning::FacingLeftOut { worst: f.values.force });
+            warnings.extend(told);
+        }
     }
     Ok(Forecast {
         layout: *layout,

@@ -112,6 +112,11 @@ pub enum Warning {
         /// The offset that stands for e_y, m.
         ey: f64,
     },
+    /// Blocks stand as the paper has them where they might face each other.
+    FacingLeftOut {
+        /// Force by the derived method where they take the least, N.
+        worst: f64,
+    },
     /// Another mesh than the reference one uses the default ratios.
     DefaultRatios,
     /// The laboratory values were converted from another panel.
@@ -170,6 +175,7 @@ impl Warning {
             Warning::EccentricityUncertain { .. } => "eccentricity_uncertain",
             Warning::EccentricityWithoutData => "eccentricity_without_data",
             Warning::EccentricityFolded { .. } => "eccentricity_folded",
+            Warning::FacingLeftOut { .. } => "facing_left_out",
             Warning::DefaultRatios => "default_ratios",
             Warning::PanelConverted { .. } => "panel_converted",
             Warning::ReferencePoint { .. } => "reference_point",
@@ -185,6 +191,7 @@ impl Warning {
             | Warning::GridWithoutRelation { .. }
             | Warning::BlocksOverlap => Weight::Outside,
             Warning::EccentricityFolded { .. }
+            | Warning::FacingLeftOut { .. }
             | Warning::PanelConverted { .. }
             | Warning::ReferencePoint { .. } => Weight::Note,
             _ => Weight::Caution,
@@ -214,6 +221,9 @@ impl Warning {
             }
             Warning::EccentricityWithoutData => "no eccentricity data here".into(),
             Warning::EccentricityFolded { .. } => "offset taken back into the cell".into(),
+            Warning::FacingLeftOut { worst } => {
+                format!("blocks worst: {} kN, derived", significant(worst / 1000.0, 3))
+            }
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
             Warning::PanelConverted { .. } => "laboratory panel converted".into(),
             Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
@@ -277,6 +287,10 @@ impl Warning {
                 "the offset is beyond half the spacing; by periodicity it stands for ex = {}, ey = {}",
                 m(*ex),
                 m(*ey)
+            ),
+            Warning::FacingLeftOut { worst } => format!(
+                "blocks as the paper has them: the same in every cell; blocks `worst`, the lower of repeated and mirrored ones, takes {} kN by the derived method",
+                kn(*worst)
             ),
             Warning::DefaultRatios => {
                 "this mesh has no ratios of its own: alpha_F and alpha_delta of the double-twist reference are assumed, and may differ".into()

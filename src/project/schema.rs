@@ -212,7 +212,7 @@ impl Project {
             notes: String::new(),
             basis: Basis::Characteristic,
             meshes: vec![MeshUse::Catalogue(mesh::REFERENCE_ID.to_string())],
-            layouts: vec![NamedLayout::new("reference", layout::REFERENCE, mesh::REFERENCE_ID)],
+            layouts: vec![NamedLayout::new("reference", layout::NEW, mesh::REFERENCE_ID)],
             display: Display::default(),
         }
     }

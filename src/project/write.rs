@@ -109,6 +109,7 @@ const LAYOUT_HELP: &str = "    // One entry a layout.
     //   twists  down (default) the slope or across it
     //   shape   of the block in the check: dome (default), sphere, flat
     //   blocks  how those of other cells stand: paper (default), repeated, mirrored, single, worst
+    //   method  of the forecast: \"pol-gabrieli-2021\" (default) or \"derived\" from simulations
     //   mesh    identifier, default the first of `meshes`
     //   branch  published (default) or conservative
     //   design_force          kN, above 0; or

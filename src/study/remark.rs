@@ -77,6 +77,8 @@ pub(crate) enum CheckRemark {
     ErrorEstimate(Option<(f64, Fidelity)>),
     /// It is of one alignment alone.
     OneAlignment,
+    /// Blocks stand as the paper has them, and may take less where they face each other.
+    FacingLeftOut,
     /// There is no forecast to compare with.
     NoForecast(NoForecast),
     /// By how much the net was stretched in x and y, as parts.
@@ -99,6 +101,7 @@ impl CheckRemark {
             CheckRemark::StandardError(_) => "standard_error",
             CheckRemark::ErrorEstimate(_) => "error_estimate",
             CheckRemark::OneAlignment => "one_alignment",
+            CheckRemark::FacingLeftOut => "facing_left_out",
             CheckRemark::NoForecast(_) => "no_forecast",
             CheckRemark::Stretch(_) => "stretch",
             CheckRemark::WireLaw(_) => "wire_law",
@@ -110,9 +113,10 @@ impl CheckRemark {
     pub(crate) fn weight(&self) -> Weight {
         match self {
             CheckRemark::NoForecast(NoForecast::Field(NoField::PassesThrough)) => Weight::Caution,
-            CheckRemark::OneAlignment | CheckRemark::NoForecast(_) | CheckRemark::WireLaw(_) => {
-                Weight::Note
-            }
+            CheckRemark::OneAlignment
+            | CheckRemark::FacingLeftOut
+            | CheckRemark::NoForecast(_)
+            | CheckRemark::WireLaw(_) => Weight::Note,
             _ => Weight::Caution,
         }
     }
@@ -133,6 +137,7 @@ impl CheckRemark {
             CheckRemark::StandardError(_) => "mean uncertain".into(),
             CheckRemark::ErrorEstimate(_) => "inexact".into(),
             CheckRemark::OneAlignment => "one alignment only".into(),
+            CheckRemark::FacingLeftOut => "facing blocks may take less".into(),
             CheckRemark::NoForecast(_) => "no forecast".into(),
             CheckRemark::Stretch(_) => "net stretched".into(),
             CheckRemark::WireLaw(_) => "wire law".into(),
@@ -208,6 +213,9 @@ impl CheckRemark {
             }
             CheckRemark::OneAlignment => {
                 "one alignment of the net with anchors and punch alone can be 25 % off; several, drawn at random, give a mean and its band".into()
+            }
+            CheckRemark::FacingLeftOut => {
+                "blocks as the paper has them: the same in every cell; where they face each other across an anchor line less may be taken: `worst` computes both".into()
             }
             CheckRemark::NoForecast(why) => format!(
                 "no forecast to compare with: {}",

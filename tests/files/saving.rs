@@ -51,7 +51,7 @@ fn a_new_project_opens_and_is_saved_unchanged() {
     project::create(&path, &text).unwrap();
     let mut opened = project::load(&path).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(opened.project.name, "North \"face\"");
-    assert_eq!(opened.project.layouts[0].layout, meshcast::layout::REFERENCE);
+    assert_eq!(opened.project.layouts[0].layout, meshcast::layout::NEW);
     opened.document.save(&opened.project, Overwrite::No).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
     assert!(matches!(project::create(&path, "other"), Err(SaveError::Exists(_))));

@@ -116,7 +116,7 @@ impl Editor {
     pub(in crate::app) fn add_layout(&mut self) -> Result<String, String> {
         let name = self.project.free_name("layout");
         let mesh = self.layout().mesh.clone();
-        self.insert(NamedLayout::new(name, layout::REFERENCE, mesh), "added")
+        self.insert(NamedLayout::new(name, layout::NEW, mesh), "added")
     }
 
     /// Copies the selected layout after itself; what to say.

@@ -19,6 +19,9 @@ pub(super) fn of(c: &Checked) -> Vec<CheckRemark> {
         (Some(_), _) => None,
     };
     list.extend(without.map(CheckRemark::NoForecast));
+    if c.test_is_anchored() && c.case.layout.facing_left_out() {
+        list.push(CheckRemark::FacingLeftOut);
+    }
     let stretch = c.stretch.map(|s| s - 1.0);
     if stretch.iter().any(|part| part.abs() > MUCH_STRETCH) {
         list.push(CheckRemark::Stretch(stretch));

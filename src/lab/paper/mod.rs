@@ -4,9 +4,10 @@
 //! anchored reference and its curve are rows of the fit (see [`super::fit::reference`]), which did not
 //! read Table 1. The paper's blocks repeat from cell to cell. That its eccentric results come out where blocks of
 //! neighbouring cells face each other was found with those results in view; rows of that arrangement stand
-//! beside the repeated ones and say so.
+//! beside the repeated ones and say so ([`beside`], with a small punch of other shapes).
 
-use crate::curve::Point;
+mod beside;
+
 use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::forecast::{laboratory, master};
@@ -14,8 +15,8 @@ use crate::layout::{Layout, REFERENCE};
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, Spread};
-use crate::study::sampling::{self, Placed};
 use crate::units::from_kn;
+use beside::{facing, facing_rows, shaped, shaped_rows};
 
 /// The paper's laboratory test: force, N, and deflection, m (section 3).
 pub(crate) const LABORATORY: [f64; 2] = [73_300.0, 0.60];
@@ -36,14 +37,6 @@ pub(crate) const SHAPE_AIM: f64 = 0.05;
 pub(crate) const AIM_FACING: [f64; 2] = [0.10, 0.08];
 /// ... and of a place's factors over the centred block.
 pub(crate) const AIM_FACTORS: [f64; 2] = [0.10, 0.05];
-/// Places of the paper's map, as parts of L at its reference panel, and the factors of force and deflection
-/// that its Table 1 has there (tests 5 and 4).
-const PLACES: [([f64; 2], [f64; 2]); 2] =
-    [([0.157, 0.329], [0.628, 0.85]), ([0.5, 0.05], [1.139, 0.815])];
-/// Runs of a place and of the centred block that it is compared with, in pairs.
-const PAIRS: usize = 16;
-/// Runs of a scene of facing blocks at most: four cells are four times the work.
-const MOST_FACING: usize = 24;
 /// Standard error aimed at, as a part.
 pub(crate) const ERROR_AIM: f64 = 0.02;
 /// Runs of a scene at most.
@@ -174,36 +167,6 @@ impl Case {
     }
 }
 
-/// The scenes of blocks that face each other: the eccentric tests, then the centred block of as many cells
-/// and the places of the map.
-fn facing() -> Vec<Case> {
-    let mut list = Vec::new();
-    for t in published().tests.iter().filter(|t| (t.layout().ex, t.layout().ey) != (0.0, 0.0)) {
-        let words = format!("Table 1, test {}, mirrored", t.test);
-        list.push(Case {
-            arrangement: Arrangement::Mirrored,
-            most: (MOST_FACING, false),
-            ..Case::new(words, Test::Anchored, t.layout(), t.dem.deflection.value())
-        });
-    }
-    let most = (PAIRS, true);
-    let centred = "centred, as many cells".to_string();
-    list.push(Case {
-        arrangement: Arrangement::Repeated([2, 2]),
-        most,
-        ..Case::new(centred, Test::Anchored, REFERENCE, ANCHORED[1])
-    });
-    list.extend(PLACES.iter().map(|([x, y], factors)| {
-        let side = REFERENCE.spacing;
-        let layout = Layout { ex: x * side, ey: y * side, ..REFERENCE };
-        let words = format!("map ({x}, {y}), mirrored");
-        let deflection = factors[1] * ANCHORED[1];
-        let case = Case::new(words, Test::Anchored, layout, deflection);
-        Case { arrangement: Arrangement::Mirrored, most, ..case }
-    }));
-    list
-}
-
 fn cases() -> Vec<Case> {
     let mut list: Vec<Case> = PANELS
         .iter()
@@ -237,14 +200,18 @@ pub(crate) fn compare(
     let mut cases = cases();
     let repeated = cases.len();
     cases.extend(facing());
+    let alike = cases.len();
+    cases.extend(shaped());
     let mut made = Vec::new();
     for (number, case) in cases.iter().enumerate() {
         let told = |now| tell(&case.words, number, cases.len(), case.deflection, now);
         let Some(ensemble) = scene(case, wire, options, &told)? else { return Ok(None) };
         made.push(ensemble);
     }
+    let (made, shaped) = made.split_at(alike);
     let (made, facing) = made.split_at(repeated);
-    Ok(Some(rows(made, facing_rows(facing))))
+    let more = [facing_rows(facing), shaped_rows(shaped)].concat();
+    Ok(Some(rows(made, more)))
 }
 
 /// The ensemble of a case: as many runs as pin its force down, if [`MOST`] can.
@@ -285,54 +252,8 @@ fn scene(
     }
 }
 
-/// The rows of the ensembles of [`facing`], in their order.
-fn facing_rows(made: &[Ensemble]) -> Vec<PaperRow> {
-    let cases = facing();
-    let tests = cases.len() - PLACES.len() - 1;
-    let (eccentric, map) = made.split_at(tests);
-    let papers = published().tests.iter().filter(|t| (t.layout().ex, t.layout().ey) != (0.0, 0.0));
-    let mut list = Vec::new();
-    for ((case, test), ensemble) in cases.iter().zip(papers).zip(eccentric) {
-        let paper = [from_kn(test.dem.force.value()), test.dem.deflection.value()];
-        let mut rows = pair(&case.words, paper, ensemble, PaperStanding::AfterTheFact);
-        // A block on the line is one for two cells, which a repeated block is not: reported alone.
-        let aimed = !case.layout.on_line(0, case.layout.ex);
-        for (row, aim) in rows.iter_mut().zip(AIM_FACING) {
-            row.aim = aimed.then_some(aim);
-        }
-        list.extend(rows);
-    }
-    let Some((centred, places)) = map.split_first() else { return list };
-    for (k, ensemble) in places.iter().enumerate() {
-        let case = &cases[tests + 1 + k];
-        let parts: [fn(&Point) -> f64; 2] = [|p| p.force, |p| p.deflection];
-        for (part, of) in parts.into_iter().enumerate() {
-            let pairs = ensemble.runs.iter().zip(&centred.runs);
-            let ratios: Vec<Placed> = pairs
-                .filter_map(|(a, b)| {
-                    Some(a.placed(of(&a.outcome.first_break?) / of(&b.outcome.first_break?)))
-                })
-                .collect();
-            let spread = sampling::figures(&ensemble.sample, &ratios, &ratios);
-            list.push(PaperRow {
-                case: format!("{}, {}", case.words, ["F", "delta"][part]),
-                quantity: PaperQuantity::Ratio,
-                paper: PLACES[k].1[part],
-                ours: spread.mean,
-                band: spread.band,
-                error: spread.error,
-                peak: None,
-                standing: PaperStanding::AfterTheFact,
-                aim: (k == 0).then_some(AIM_FACTORS[part]),
-                runs: ratios.len(),
-            });
-        }
-    }
-    list
-}
-
-/// The rows of the ensembles of [`cases`], in their order; `facing` stand behind those of Table 1.
-fn rows(made: &[Ensemble], facing: Vec<PaperRow>) -> Vec<PaperRow> {
+/// The rows of the ensembles of [`cases`], in their order; `more` stand behind those of Table 1.
+fn rows(made: &[Ensemble], more: Vec<PaperRow>) -> Vec<PaperRow> {
     let (panels, anchored) = made.split_at(PANELS.len());
     let standard = PANELS.iter().position(|p| *p == 3.0).unwrap_or(0);
     let (lab, reference, tests) = (&panels[standard], &anchored[0], &anchored[1..]);
@@ -367,7 +288,7 @@ fn rows(made: &[Ensemble], facing: Vec<PaperRow>) -> Vec<PaperRow> {
             PaperStanding::Predicted,
         ));
     }
-    list.extend(facing);
+    list.extend(more);
     for (panel, paper) in K75 {
         let at = PANELS.iter().position(|p| *p == panel).unwrap_or(standard);
         list.extend(stiffness(panel, paper, &panels[at].runs));
@@ -515,6 +436,7 @@ fn shape(case: &str, runs: &[Run], standing: PaperStanding) -> PaperRow {
 mod tests {
     use super::*;
     use crate::curve::Curve;
+    use crate::curve::Point;
     use crate::dem::Stop;
     use crate::dem::outcome::{Cost, Quality, RunOutcome};
 
