@@ -13,6 +13,7 @@
 //! of help and details in [`pages`]. [`keymap`] says which key means what where, [`entry`] is the line of
 //! text being typed, [`picker`] the list of projects, searched by [`fuzzy`].
 
+mod campaigning;
 mod checking;
 pub(crate) mod command;
 pub(crate) mod copy;
@@ -69,6 +70,7 @@ use studies::sensitivity::SensitivityView;
 use studies::sweep::SweepView;
 use work::campaign::RunningCampaign;
 use work::shown::ShownCheck;
+use work::steps::RunningSteps;
 use work::{RunningCheck, Work};
 
 /// The whole state.
@@ -349,6 +351,11 @@ impl App {
     /// The curves of the selected layout's runs as far as they have come.
     pub(crate) fn growing(&self) -> &[Vec<Point>] {
         self.work.growing(self.layout().uid)
+    }
+
+    /// The long work of steps that runs.
+    pub(crate) fn steps(&self) -> Option<&RunningSteps> {
+        self.work.steps()
     }
 
     /// The campaign that runs.

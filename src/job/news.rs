@@ -40,6 +40,10 @@ pub enum What {
         /// Its check, or why there is none.
         answer: Arc<CheckAnswer>,
     },
+    /// Work of several steps has come so far.
+    Step(StepProgress),
+    /// Work of several steps has ended: what to say of it, or why it failed. [`What::Ended`] follows.
+    Told(Result<String, String>),
     /// A layout cannot be checked.
     Refused {
         /// The layout, by its uid.
@@ -75,4 +79,15 @@ pub struct Progress {
     pub left: f64,
     /// The curves of this layout's runs as far as they have come.
     pub curves: Vec<Vec<Point>>,
+}
+
+/// How far work of several steps has come.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StepProgress {
+    /// The step in words: `132 of 384 runs`.
+    pub text: String,
+    /// How much of it is done, 0 to 1.
+    pub fraction: f64,
+    /// Time left, s; unknown where missing.
+    pub left: Option<f64>,
 }

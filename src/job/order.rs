@@ -3,6 +3,7 @@
 use super::campaign::Campaign;
 use super::checks::Checks;
 use super::desk::{Ticket, Urgency};
+use super::method::MethodJob;
 use super::news::{News, What};
 
 /// Work to be done behind the screen.
@@ -21,6 +22,8 @@ pub enum Task {
     Checks(Checks),
     /// Checks of the cases of a study.
     Campaign(Campaign),
+    /// A campaign of random layouts and the method derived from it.
+    Method(MethodJob),
 }
 
 impl Order {
@@ -28,7 +31,7 @@ impl Order {
     pub(crate) fn urgency(&self) -> Urgency {
         match &self.task {
             Task::Checks(checks) if checks.live => Urgency::Live,
-            Task::Checks(_) | Task::Campaign(_) => Urgency::Asked,
+            Task::Checks(_) | Task::Campaign(_) | Task::Method(_) => Urgency::Asked,
         }
     }
 
@@ -39,6 +42,7 @@ impl Order {
         match &self.task {
             Task::Checks(checks) => checks.carry_out(threads, ticket, &say),
             Task::Campaign(campaign) => campaign.carry_out(threads, ticket, &say),
+            Task::Method(job) => job.carry_out(threads, ticket, &say),
         }
         say(What::Ended { cancelled: ticket.cancelled() });
     }

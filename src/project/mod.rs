@@ -52,5 +52,5 @@ pub(crate) use save::{SaveReport, same_file, sweep_beside, write_file};
 pub use schema::{MeshUse, NamedLayout, Project};
 pub(crate) use time::time_text;
 pub(crate) use wire_file::load_wire;
-pub(crate) use write::commented;
 pub use write::new_project;
+pub(crate) use write::{commented, method_text};

@@ -7,6 +7,7 @@ use super::text::scalar::quoted;
 use crate::case::Input;
 use crate::case::input::{LX, Missing};
 use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, Twists};
+use crate::method::DerivedMethod;
 use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
 use crate::words::Choice;
 use std::fmt::Write;
@@ -263,10 +264,34 @@ pub(crate) fn layout_field(
     })
 }
 
+/// The text of a derived method's file, with the commands that make it on top; nothing where it cannot be
+/// written so that it is read back.
+pub(crate) fn method_text(method: &DerivedMethod) -> Option<String> {
+    let campaigns = method.campaigns.iter().map(|c| {
+        let share = if c.eccentric == 0.5 {
+            String::new()
+        } else {
+            format!(" --eccentric {}", c.eccentric)
+        };
+        format!(
+            "\n  meshcast campaign --blocks {} --runs {} --seed {}{share} --fidelity {} --out DIR",
+            method.blocks.word(),
+            c.runs,
+            c.seed,
+            method.fidelity
+        )
+    });
+    let comment = format!(
+        "A method of forecasts derived from simulations. Forces kN, lengths m. Made by{}\n  meshcast derive DIR... --out THIS",
+        campaigns.collect::<String>()
+    );
+    commented(method, &comment).filter(|text| DerivedMethod::from_ron(text).as_ref() == Ok(method))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::method::{DerivedMethod, canned};
+    use crate::method::canned;
 
     #[test]
     fn a_method_comes_back_from_its_file_to_the_last_bit() {

@@ -5,6 +5,7 @@ use super::studies;
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::work::shown::{ShownCheck, Standing};
+use crate::app::work::steps::RunningSteps;
 use crate::curve::{Curve, Point};
 use crate::job::pace::duration;
 use crate::remark::Weight;
@@ -161,8 +162,19 @@ pub(super) fn marks(app: &App, chart: &mut CurvePlot) {
     }
 }
 
+/// How far long work of several steps has come, in a line.
+fn step(steps: &RunningSteps) -> String {
+    let Some(p) = steps.progress() else { return format!("{}; Esc ends it", steps.name()) };
+    let left = p.left.map_or(String::new(), |left| format!(", {} left", duration(left)));
+    let percent = 100.0 * p.fraction;
+    format!("{}: {}, {percent:.0} %{left}; Esc ends it, what is made is kept", steps.name(), p.text)
+}
+
 /// How far the user's check has come, in a line.
 pub(crate) fn progress(app: &App) -> Option<String> {
+    if let Some(steps) = app.steps() {
+        return Some(step(steps));
+    }
     let Some(running) = app.running() else { return studies::progress(app) };
     let Some(p) = running.progress() else {
         return Some("checking; Esc ends it".into());

@@ -41,8 +41,11 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("project", &[GROUND, &["case", "dem", "study"]]),
     ("show", &[GROUND, &["case", "dem", "forecast", "study"]]),
     ("export", &[GROUND, &["case", "dem", "forecast", "project", "show", "study"]]),
-    ("job", &[GROUND, &["case", "dem", "forecast", "study"]]),
-    ("app", &[GROUND, &["case", "dem", "export", "forecast", "job", "project", "show", "study"]]),
+    ("job", &[GROUND, &["case", "dem", "forecast", "lab", "project", "study"]]),
+    (
+        "app",
+        &[GROUND, &["case", "dem", "export", "forecast", "job", "lab", "project", "show", "study"]],
+    ),
     (
         "ui",
         &[GROUND, &["app", "case", "dem", "export", "forecast", "job", "project", "show", "study"]],

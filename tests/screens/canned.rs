@@ -144,6 +144,7 @@ pub(crate) fn news(order: &Order) -> Vec<News> {
                 told.push(made(all, false));
             }
         }
+        Task::Method(job) => panic!("not canned: {job:?}"),
         Task::Campaign(campaign) => {
             let total = campaign.cases.len();
             for (index, case) in campaign.cases.iter().enumerate() {

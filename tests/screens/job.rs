@@ -4,6 +4,11 @@
 //! `tests/cli/verdict.rs`.
 
 use crate::harness::*;
+use meshcast::app::App;
+use meshcast::app::message::{Command, Message};
+use meshcast::job::News;
+use meshcast::job::news::{StepProgress, What};
+use meshcast::job::order::Task;
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::project::{NamedLayout, Project};
 use meshcast::study::verdict::Basis;
@@ -97,4 +102,28 @@ fn the_basis_is_changed_by_a_key_and_undone() {
     assert!(text(&app).contains("+ PASSES: deflection"), "{}", text(&app));
     press(&mut app, ":basis characteristic<Enter>i");
     assert!(text(&app).contains("103 % characteristic"), "{}", text(&app));
+}
+
+#[test]
+fn a_campaign_tells_how_far_it_is_and_escape_ends_it() {
+    let mut app = start(job(), (80, 24), MONO);
+    let ordered = press(&mut app, ":campaign 64 mirrored some runs<Enter>");
+    let [Command::Work(order)] = &ordered[..] else { panic!("{ordered:?}") };
+    assert!(matches!(order.task, Task::Method(_)));
+    // 64 random layouts, 7 runs in the laboratory, 7 of the reference panel.
+    let bottom = |app: &App| text(app).lines().last().unwrap().trim_end().to_string();
+    assert!(bottom(&app).starts_with(" 78 runs with dt-8x10-2.7 into"), "{}", bottom(&app));
+    let number = order.number;
+    let news = |what| Message::Work(News { number, what });
+    let step = StepProgress { text: "12 of 78 runs".into(), fraction: 0.15, left: Some(9.0) };
+    app.update(news(What::Step(step)));
+    press(&mut app, "<Down>");
+    let due = " campaign: 12 of 78 runs, 15 %, 9 s left; Esc ends it, what is made is kept";
+    assert_eq!(bottom(&app), due);
+    assert!(matches!(press(&mut app, "<Esc>")[..], [Command::StopWork]));
+    app.update(news(What::Told(Ok("12 of 78 runs are kept".into()))));
+    app.update(news(What::Ended { cancelled: true }));
+    assert_eq!(bottom(&app), " 12 of 78 runs are kept");
+    press(&mut app, "<Down>");
+    assert!(!bottom(&app).contains("campaign"), "{}", bottom(&app));
 }

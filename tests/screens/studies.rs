@@ -39,6 +39,7 @@ fn work(app: &mut App, script: &str) -> usize {
     let size = |order: &Order| match &order.task {
         Task::Checks(checks) => checks.targets.len(),
         Task::Campaign(campaign) => campaign.cases.len(),
+        Task::Method(job) => panic!("no check: {job:?}"),
     };
     crate::harness::work(app, effects).iter().map(size).sum()
 }

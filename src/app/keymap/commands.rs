@@ -43,6 +43,10 @@ pub const COMMANDS: &[CommandHelp] = &[
         help: "write report, markdown, chart, charts, plan, curves or table; export! replaces a file",
     },
     CommandHelp { form: "check / check all", help: "check this layout, or all" },
+    CommandHelp {
+        form: "campaign [RUNS] [BLOCKS] FOLDER",
+        help: "runs of random layouts with this mesh and the method from them; the same goes on",
+    },
     CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {
         form: "runs N|auto",

@@ -135,7 +135,7 @@ impl Campaigns {
                 }));
             }
             What::Failed => self.running = None,
-            What::Made { .. } | What::Refused { .. } => {}
+            What::Made { .. } | What::Refused { .. } | What::Step(_) | What::Told(_) => {}
         }
         None
     }
@@ -214,6 +214,7 @@ impl Work {
         }
         let order = self.order(Task::Campaign(Campaign { cases: missing, wanted }));
         self.running = None;
+        self.steps = None;
         self.live.give_way();
         let (number, progress) = (order.number, None);
         self.campaigns.running =

@@ -73,7 +73,11 @@ impl Live {
                 self.result = None;
             }
             What::Ended { .. } | What::Failed => self.order = None,
-            What::Made { .. } | What::Progress(_) | What::Case { .. } => {}
+            What::Made { .. }
+            | What::Progress(_)
+            | What::Case { .. }
+            | What::Step(_)
+            | What::Told(_) => {}
         }
     }
 }

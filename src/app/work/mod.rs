@@ -6,11 +6,12 @@
 //! are kept here only.
 //!
 //! - [`shown`]: which result is shown of a layout; [`live`]: the quick check that follows each edit.
-//! - [`campaign`]: the checks of the cases of a study.
+//! - [`campaign`]: the checks of the cases of a study; [`steps`]: long work of several steps.
 
 pub(crate) mod campaign;
 pub(crate) mod live;
 pub mod shown;
+pub(crate) mod steps;
 
 use super::editor::Editor;
 use super::message::Command;
@@ -27,6 +28,7 @@ use crate::units::{force_text, length_text};
 use campaign::Campaigns;
 use live::Live;
 use std::sync::Arc;
+use steps::RunningSteps;
 
 /// An order of the user's that runs.
 #[derive(Debug, Clone, Default)]
@@ -54,6 +56,7 @@ pub(super) struct Work {
     running: Option<RunningCheck>,
     live: Live,
     campaigns: Campaigns,
+    steps: Option<RunningSteps>,
     /// The last results with their shape, which the project does not keep.
     shapes: Vec<(u64, Arc<Made>)>,
     /// What another solver or sampling had made of layouts that this session checked again.
@@ -103,6 +106,7 @@ impl Work {
         let running = RunningCheck { targets: targets.len(), ..RunningCheck::default() };
         let order = self.order(Task::Checks(Checks { targets, wanted, live: false }));
         self.campaigns.drop_running();
+        self.steps = None;
         self.running = Some(RunningCheck { number: order.number, ..running });
         // The worker ends a live check for it.
         self.live.give_way();
@@ -111,7 +115,7 @@ impl Work {
 
     /// Ends what runs behind the screen; what is to be said.
     pub(super) fn stop(&mut self) -> (Option<Command>, Option<Status>) {
-        if self.campaign().is_some() {
+        if self.campaign().is_some() || self.steps.is_some() {
             return (Some(Command::StopWork), None);
         }
         let live = self.live.give_way();
@@ -128,7 +132,8 @@ impl Work {
     /// Another project takes the place of this one: what runs ends, and no result is left. Numbers of
     /// orders go on, so that late news of the former project find nobody.
     pub(super) fn forget(&mut self) -> Option<Command> {
-        let busy = self.campaign().is_some() || self.running.is_some() || self.live.running();
+        let asked = self.campaign().is_some() || self.running.is_some() || self.steps.is_some();
+        let busy = asked || self.live.running();
         self.campaigns.drop_running();
         // Answers are of inputs, whatever project has them.
         let campaigns = std::mem::take(&mut self.campaigns);
@@ -144,6 +149,10 @@ impl Work {
         if self.live.runs(news.number) {
             self.live.news(news.what);
             return None;
+        }
+        let of_steps = self.steps.as_ref().is_some_and(|steps| steps.number == news.number);
+        if of_steps || matches!(news.what, What::Step(_) | What::Told(_)) {
+            return self.step_news(news.number, news.what);
         }
         let asked = self.running.as_mut().filter(|running| running.number == news.number);
         match (news.what, asked) {

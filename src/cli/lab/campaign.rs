@@ -6,9 +6,7 @@ use crate::cli::output::{CommandEnd, Fault, Output};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::cli::{case, quantity};
-use crate::dem::Flow;
-use crate::lab::campaign::file::{self, CampaignText};
-use crate::lab::campaign::make::make;
+use crate::lab::campaign::kept::{Kept, KeptFault};
 use crate::lab::campaign::row::{Kind, Row, RowEnd};
 use crate::lab::campaign::{CampaignPlan, Header, PAPER_RANGES};
 use crate::layout::Blocks;
@@ -17,9 +15,7 @@ use crate::project::home::typed_path;
 use crate::words::Choice;
 use clap::Args;
 use std::fmt::Write as _;
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
 d, L and D are uniform in the paper's ranges (0.16 to 0.48, 1.25 to 4.5, 0.1 to 2.5 m). Offsets are
@@ -71,34 +67,18 @@ pub(crate) fn run(args: &CampaignArgs) -> CommandEnd {
     };
     let wire = Wires::read(args.mesh_file.as_deref(), None)?.for_mesh(&mesh)?;
     let header = Header::new(&plan, &args.mesh, &wire);
-    let mut kept = Kept::open(&typed_path(&args.out), &header, args.resume)?;
-    let (from, lines) = (kept.rows.len(), plan.lines());
+    let resumed = (args.resume, "give --resume to go on with it, or another --out");
+    let mut kept = Kept::open(&typed_path(&args.out), &header, resumed)?;
+    let (from, lines) = (kept.rows().len(), plan.lines());
     let watch = Watch::start();
     watch.begin("campaign", 0, 1, EXPECTED_BREAK);
-    let mut failed = None;
-    let Kept { file, rows, .. } = &mut kept;
-    let mut hand_on = |row: Row| {
-        let written = file.write_all(file::line(&row).as_bytes());
-        rows.push(row);
-        match written {
-            Ok(()) => Flow::Continue,
-            Err(e) => {
-                failed = Some(e);
-                Flow::Cancel
-            }
-        }
-    };
     let tell = |now| watch.tell(now);
-    let end = make(&plan, &wire, from, args.draw.threads(), &tell, &mut hand_on);
-    let synced = file.sync_all();
-    if let Some(e) = failed.or(synced.err()) {
-        return Err(kept.fault("cannot be written", &e));
-    }
+    let end = kept.make(&header, &wire, args.draw.threads(), &tell)?;
     let said = format!("{} lines, {:.1} s of processor in runs", lines - from, end.processor);
     watch.finish(&said);
     let mut notes = Vec::new();
     if !end.whole {
-        let made = kept.rows.len();
+        let made = kept.rows().len();
         notes.push(format!("{made} of {lines} lines are made; --resume goes on with them"));
     }
     let result = text(&kept, &header);
@@ -120,79 +100,13 @@ fn plan(args: &CampaignArgs) -> Result<CampaignPlan, Fault> {
     })
 }
 
-/// A campaign's file, open to be written at its end, and what stands in it.
-struct Kept {
-    path: PathBuf,
-    file: File,
-    rows: Vec<Row>,
-}
-
-impl Kept {
-    /// Opens the file in a folder, new or to be gone on with.
-    fn open(folder: &Path, header: &Header, resume: bool) -> Result<Kept, Fault> {
-        let path = folder.join(file::NAME);
-        std::fs::create_dir_all(folder).map_err(|e| {
-            Fault::Failure(format!("--out: {} cannot be made: {e}", folder.display()))
-        })?;
-        let mut options = OpenOptions::new();
-        options.read(true).write(true).create(true);
-        let file = options.open(&path);
-        let file = file.map_err(|e| refused(&path, "cannot be opened", &e))?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => {
-                let said = format!("{}: another meshcast writes this campaign", path.display());
-                return Err(Fault::input(said));
-            }
-            // A disk that locks nothing is no reason to refuse.
-            Ok(()) | Err(TryLockError::Error(_)) => {}
+impl From<KeptFault> for Fault {
+    fn from(fault: KeptFault) -> Fault {
+        match fault {
+            KeptFault::Asked(said) => Fault::input(said),
+            KeptFault::Failed(said) => Fault::Failure(said),
         }
-        let mut kept = Kept { path, file, rows: Vec::new() };
-        kept.go_on(header, resume)?;
-        Ok(kept)
     }
-
-    /// Reads what is there, cuts off a torn line, and stands behind the last whole one.
-    fn go_on(&mut self, header: &Header, resume: bool) -> Result<(), Fault> {
-        let mut text = Vec::new();
-        self.file.read_to_end(&mut text).map_err(|e| self.fault("cannot be read", &e))?;
-        if !text.is_empty() && !resume {
-            return Err(Fault::input(format!(
-                "{} exists already and is not overwritten; give --resume to go on with it, or another --out",
-                self.path.display()
-            )));
-        }
-        let found = file::read(&text).map_err(|said| self.wrong(&said))?;
-        let whole = found.as_ref().map_or(0, |found| found.whole);
-        if let Some(CampaignText { header: there, rows, .. }) = found {
-            if let Some(said) = there.differs(header) {
-                return Err(self.wrong(&format!("it was made otherwise: {said}")));
-            }
-            if rows.len() > header.plan.lines() {
-                return Err(self.wrong("it has more lines than it should"));
-            }
-            self.rows = rows;
-        }
-        let cut = self.file.set_len(whole as u64);
-        cut.and_then(|()| self.file.seek(SeekFrom::End(0)).map(|_| ()))
-            .and_then(|()| if whole == 0 { self.write_header(header) } else { Ok(()) })
-            .map_err(|e| self.fault("cannot be written", &e))
-    }
-
-    fn write_header(&mut self, header: &Header) -> io::Result<()> {
-        self.file.write_all(file::line(header).as_bytes())
-    }
-
-    fn wrong(&self, said: &str) -> Fault {
-        Fault::input(format!("{}: {said}", self.path.display()))
-    }
-
-    fn fault(&self, what: &str, error: &io::Error) -> Fault {
-        refused(&self.path, what, error)
-    }
-}
-
-fn refused(path: &Path, what: &str, error: &io::Error) -> Fault {
-    Fault::Failure(format!("{} {what}: {error}", path.display()))
 }
 
 /// What the file holds.
@@ -200,7 +114,7 @@ fn text(kept: &Kept, header: &Header) -> String {
     let plan = &header.plan;
     let mut out = format!(
         "campaign       {}\nmesh           {}, wires {}\nblocks         {}, fidelity {}, seed {}\nrevisions      {}\n",
-        kept.path.display(),
+        kept.path().display(),
         header.mesh,
         header.wires,
         plan.blocks.word(),
@@ -215,7 +129,7 @@ fn text(kept: &Kept, header: &Header) -> String {
         (Kind::Eccentric, "eccentric"),
     ];
     for (kind, name) in kinds {
-        let rows: Vec<&Row> = kept.rows.iter().filter(|row| row.kind == kind).collect();
+        let rows: Vec<&Row> = kept.rows().iter().filter(|row| row.kind == kind).collect();
         let mut ends: Vec<RowEnd> = rows.iter().map(|row| row.end).collect();
         ends.sort_unstable();
         ends.dedup();

@@ -7,9 +7,8 @@ use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::method::sizes::PUBLISHED;
 use crate::method::{Anchor, DerivedMethod};
 use crate::project::home::typed_path;
-use crate::project::{self, SaveError, commented};
+use crate::project::{self, SaveError};
 use crate::units::{significant, to_kn};
-use crate::words::Choice;
 use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -65,26 +64,7 @@ fn exists(path: &Path) -> Fault {
 }
 
 fn write(path: &Path, method: &DerivedMethod) -> Result<(), Fault> {
-    let campaigns = method.campaigns.iter().map(|c| {
-        let share = if c.eccentric == 0.5 {
-            String::new()
-        } else {
-            format!(" --eccentric {}", c.eccentric)
-        };
-        format!(
-            "\n  meshcast campaign --blocks {} --runs {} --seed {}{share} --fidelity {} --out DIR",
-            method.blocks.word(),
-            c.runs,
-            c.seed,
-            method.fidelity
-        )
-    });
-    let comment = format!(
-        "A method of forecasts derived from simulations. Forces kN, lengths m. Made by{}\n  meshcast derive DIR... --out THIS",
-        campaigns.collect::<String>()
-    );
-    let text = commented(method, &comment)
-        .filter(|text| DerivedMethod::from_ron(text).as_ref() == Ok(method))
+    let text = project::method_text(method)
         .ok_or_else(|| Fault::Failure("the method cannot be written as RON".into()))?;
     project::create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),

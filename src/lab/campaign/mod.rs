@@ -4,7 +4,7 @@
 //! draws them uniform in its ranges, and for a stated share of the runs an offset too:
 //!
 //! - this file: what is asked for, and what run k is; [`row`]: what is kept of a run; [`make`]: making the
-//!   runs; [`mod@file`]: a campaign's file, and how a broken one goes on.
+//!   runs; [`mod@file`]: the text of a campaign's file; [`kept`]: the file on disk, and how it goes on.
 //!
 //! Everything about run k is drawn from (seed, k), so that it is the same whatever is made before it, on
 //! however many threads. An eccentric run has a layout of its own too: that it had the alignment and slack of
@@ -12,6 +12,7 @@
 //! that a quotient of two runs would only scatter more.
 
 pub(crate) mod file;
+pub(crate) mod kept;
 pub(crate) mod make;
 pub(crate) mod row;
 
