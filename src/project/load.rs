@@ -61,7 +61,7 @@ pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadErro
     if about.is_dir() {
         return Err(fail(
             Cause::BadInput,
-            "this is a directory, not a project file",
+            "this is a directory, not a file",
             "name a file in it, such as project.ron".to_string(),
         ));
     }
@@ -84,6 +84,21 @@ pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadErro
         ));
     }
     Ok(bytes)
+}
+
+/// Reads a table of the user's, such as a laboratory's curve or the runs of a campaign, whole and within a
+/// size in bytes.
+///
+/// # Errors
+/// Why it cannot be read.
+pub(crate) fn load_table(path: &Path, largest: u64) -> Result<Vec<u8>, LoadError> {
+    read_within(path, largest).map_err(|mut error| {
+        // The advice of a project file leads nowhere here.
+        for fault in &mut error.faults {
+            fault.problem.advice.clear();
+        }
+        error
+    })
 }
 
 /// Bytes to text.

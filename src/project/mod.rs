@@ -46,6 +46,7 @@ pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;
 pub use home::Home;
+pub(crate) use load::{LARGEST_FILE, load_table};
 pub use recovery::{OwnRecovery, Recovery};
 pub use save::{Overwrite, SaveError, create};
 pub(crate) use save::{SaveReport, same_file, sweep_beside, write_file};

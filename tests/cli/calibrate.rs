@@ -97,4 +97,11 @@ fn bad_laboratory_data_are_refused_in_clear_words() {
     let e =
         refused(&["calibrate", "--force", "50", "--deflection", "0.4", "--wire-strength", "45"]);
     assert!(e.contains("--wire-strength") && e.contains("100.0 to 2500.0 MPa"), "{e}");
+    // What is no table is not waited for, nor read without end.
+    let e = refused(&["calibrate", "--curve", "/dev/zero"]);
+    assert!(e.contains("/dev/zero") && e.contains("no ordinary file"), "{e}");
+    let (_directory, path) = file("latin.csv", "");
+    std::fs::write(&path, b"d\xe9flexion [mm];force [N]\n").unwrap();
+    let e = refused(&["calibrate", "--curve", shown(&path)]);
+    assert!(e.contains("no text in UTF-8"), "{e}");
 }

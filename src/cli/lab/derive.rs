@@ -13,6 +13,9 @@ use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+/// Largest table of a campaign, bytes: some hundred thousand runs.
+const LARGEST_TABLE: u64 = 64 * 1024 * 1024;
+
 const AFTER_HELP: &str = "\
 Everything comes from the campaigns' runs by least squares: the ratios of the anchored reference to the
 laboratory, size relations in the published form and in the best of several forms (by fits that did not
@@ -47,8 +50,7 @@ pub(crate) fn run(args: &DeriveArgs) -> CommandEnd {
 
 fn read(folder: &Path) -> Result<CampaignText, Fault> {
     let path = folder.join(file::NAME);
-    let bytes = std::fs::read(&path)
-        .map_err(|e| Fault::input(format!("{} cannot be read: {e}", path.display())))?;
+    let bytes = project::load_table(&path, LARGEST_TABLE)?;
     match file::read(&bytes) {
         Ok(Some(found)) => Ok(found),
         Ok(None) => Err(Fault::input(format!("{}: there is nothing in it yet", path.display()))),

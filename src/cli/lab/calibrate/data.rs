@@ -170,8 +170,13 @@ impl DataArgs {
 }
 
 fn read(path: &Path) -> Result<LabCurve, Fault> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| Fault::Failure(format!("--curve: {} cannot be read: {e}", path.display())))?;
+    let bytes = project::load_table(path, project::LARGEST_FILE)?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        Fault::input(format!(
+            "--curve: {}: this is no text in UTF-8; save the table as CSV",
+            path.display()
+        ))
+    })?;
     LabCurve::read(&text)
         .map_err(|problem| Fault::input(format!("--curve: {}: {problem}", path.display())))
 }
