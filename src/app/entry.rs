@@ -18,6 +18,8 @@ pub(crate) enum EditTarget {
     Command,
     /// A project to open.
     File,
+    /// A row of the form of a mesh.
+    Mesh,
     /// A text or a name to look for.
     Find,
     /// Something on a page of a study.
@@ -33,6 +35,7 @@ impl EditTarget {
             EditTarget::Note => "note",
             EditTarget::Command => ":",
             EditTarget::File => "open",
+            EditTarget::Mesh => "mesh",
             EditTarget::Find => "find",
             EditTarget::Study(typed) => typed.prompt(),
         }

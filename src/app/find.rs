@@ -2,6 +2,8 @@
 
 use super::keymap::StudyPage;
 use super::{App, Mode};
+use crate::export::ExportKind;
+use crate::mesh::MeshType;
 
 impl App {
     /// Goes to the next place of a text in what is shown, round and round; an empty text is the last one.
@@ -30,6 +32,22 @@ impl App {
                 after(now, &hits).inspect(|index| match compare {
                     true => self.studies.mark_compared(*index),
                     false => self.editor.select(*index),
+                })
+            }
+            Mode::MeshPicker { index } => {
+                let here = |mesh: &MeshType| holds(&mesh.id) || holds(mesh.title());
+                let hits: Vec<bool> = self.meshes().iter().map(|c| here(&c.mesh)).collect();
+                let now = *index;
+                after(now, &hits).inspect(|at| {
+                    self.screen.turn(*at as isize - now as isize, hits.len());
+                })
+            }
+            Mode::Export { index } => {
+                let here = |k: &ExportKind| holds(k.word()) || holds(k.about());
+                let hits: Vec<bool> = ExportKind::ALL.iter().map(here).collect();
+                let now = *index;
+                after(now, &hits).inspect(|at| {
+                    self.screen.turn(*at as isize - now as isize, hits.len());
                 })
             }
             _ => return,

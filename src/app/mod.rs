@@ -11,7 +11,8 @@
 //! [`App`] puts them together. What a message does to them stands in [`update`], with [`command`] for the
 //! `:` line, [`pasted`], [`saving`], [`open`], [`output`], [`checking`], [`copy`] and [`tour`]; the texts
 //! of help and details in [`pages`]. [`keymap`] says which key means what where, [`entry`] is the line of
-//! text being typed, [`picker`] the list of projects, searched by [`fuzzy`].
+//! text being typed, [`picker`] the list of projects, searched by [`fuzzy`]; [`mesh_form`]
+//! and [`mesh_adding`] add a mesh.
 
 mod campaigning;
 mod checking;
@@ -26,6 +27,8 @@ mod fuzzy;
 pub mod key;
 pub mod keymap;
 pub mod look;
+mod mesh_adding;
+pub(crate) mod mesh_form;
 pub mod message;
 mod open;
 mod output;

@@ -36,6 +36,8 @@ impl App {
             entry.paste(text);
         } else if let Some(picker) = self.screen.picker() {
             picker.paste(text);
+        } else if let Some(form) = self.screen.mesh_form() {
+            form.line().paste(text);
         } else {
             return false;
         }

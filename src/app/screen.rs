@@ -5,6 +5,7 @@ use super::entry::{EditTarget, LineEntry};
 use super::file_work::Then;
 use super::keymap::{Context, StudyPage};
 use super::look::{ColorMode, Glyphs, Look};
+use super::mesh_form::MeshForm;
 use super::message::KeptEdits;
 use super::picker::Picker;
 use super::status::Status;
@@ -32,6 +33,8 @@ pub enum Mode {
         /// The marked one, an index of [`super::App::meshes`].
         index: usize,
     },
+    /// The form of a mesh to be added.
+    MeshForm(Box<MeshForm>),
     /// The list of what can be written, with one marked.
     Export {
         /// The marked one, an index of [`crate::export::ExportKind::ALL`].
@@ -91,6 +94,7 @@ impl Mode {
             Mode::Entry(_) => return None,
             Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
             Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::MeshForm(_) => Context::MeshForm,
             Mode::Study(page) => page.context(),
             Mode::Export { .. } => Context::Export,
             Mode::ConfirmQuit => Context::ConfirmQuit,
@@ -213,9 +217,17 @@ impl Screen {
         }
     }
 
-    /// Whether text is taken: a line is typed, or letters to look for.
+    /// The form of a mesh.
+    pub(super) fn mesh_form(&mut self) -> Option<&mut MeshForm> {
+        match &mut self.mode {
+            Mode::MeshForm(form) => Some(form),
+            _ => None,
+        }
+    }
+
+    /// Whether text is taken: a line is typed, a form filled in, or letters to look for.
     pub(super) fn takes_text(&self) -> bool {
-        matches!(self.mode, Mode::Entry(_) | Mode::Open(_))
+        matches!(self.mode, Mode::Entry(_) | Mode::Open(_) | Mode::MeshForm(_))
     }
 
     /// The page of a study that is open, also while a text for it is typed.

@@ -3,6 +3,7 @@
 use super::entry::{EditTarget, LineEntry, LineKey};
 use super::key::{Code, Key};
 use super::keymap::{self, Action};
+use super::mesh_form::MeshForm;
 use super::message::{Command, Message};
 use super::settings::SettingItem;
 use super::{App, Mode};
@@ -121,6 +122,8 @@ impl App {
                     _ => {
                         if let Some(picker) = self.screen.picker() {
                             picker.key(key);
+                        } else if let Some(form) = self.screen.mesh_form() {
+                            form.key(key);
                         }
                     }
                 }
@@ -146,7 +149,7 @@ impl App {
         self.inform(format!("{key} does nothing here; ? shows the keys"));
     }
 
-    fn act(&mut self, action: Action) -> Vec<Command> {
+    pub(super) fn act(&mut self, action: Action) -> Vec<Command> {
         if let Mode::Study(page) = *self.screen.mode()
             && let Some(effects) = self.study_act(page, action)
         {
@@ -208,6 +211,7 @@ impl App {
                 let index = self.meshes().iter().position(|c| c.mesh.id == self.layout().mesh);
                 self.screen.show(Mode::MeshPicker { index: index.unwrap_or(0) });
             }
+            Action::AddMesh => self.screen.show(Mode::MeshForm(Box::new(MeshForm::new()))),
             Action::Branch => {
                 let said = self.editor.toggle_branch();
                 self.inform(said);
@@ -302,6 +306,8 @@ impl App {
             _ => {
                 if let Some(picker) = self.screen.picker() {
                     picker.step(lines);
+                } else if let Some(form) = self.screen.mesh_form() {
+                    form.step(lines);
                 }
             }
         }
@@ -312,6 +318,7 @@ impl App {
         match *self.screen.mode() {
             Mode::Open(_) => return self.take_project(),
             Mode::Export { .. } => return self.take_export(),
+            Mode::MeshForm(_) => return self.take_mesh_form(),
             Mode::MeshPicker { index } => {
                 if let Some(choice) = self.meshes().get(index) {
                     self.screen.show(Mode::Main);
@@ -332,6 +339,7 @@ impl App {
             Mode::ConfirmRecovery { .. } => return self.quit(None),
             Mode::Tour { .. } => return self.end_tour(),
             Mode::Help { .. } => self.screen.toggle_help(),
+            Mode::MeshForm(_) => return self.leave_mesh_form(),
             Mode::Open(_) => {
                 self.files.stop_opening();
                 self.screen.close();
@@ -354,6 +362,8 @@ impl App {
             }
             EditTarget::Command => self.command(&text),
             EditTarget::File => Ok(self.ask_to_open(Path::new(&text))),
+            // The form takes its lines itself.
+            EditTarget::Mesh => Ok(Vec::new()),
             EditTarget::Find => {
                 self.find(&text);
                 Ok(Vec::new())

@@ -30,7 +30,8 @@ pub(crate) mod export;
 pub(crate) mod hint;
 pub(crate) mod inputs;
 pub(crate) mod layouts;
-pub(crate) mod mesh_picker;
+pub(crate) mod mesh_form;
+mod mesh_picker;
 pub(crate) mod open;
 pub(crate) mod page;
 pub(crate) mod plan;
@@ -79,6 +80,7 @@ pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
         Mode::Details { scroll } => page::draw(app, "details", *scroll, middle, buf, &theme),
         Mode::Export { index } => export::draw(app, *index, middle, buf, &theme),
         Mode::MeshPicker { index } => mesh_picker::draw(app, *index, middle, buf, &theme),
+        Mode::MeshForm(form) => mesh_form::draw(form, middle, buf, &theme),
         Mode::Open(picker) => open::draw(picker, middle, buf, &theme),
         Mode::Settings { index } => settings::draw(app, *index, middle, buf, &theme),
         _ => {

@@ -9,8 +9,9 @@ use meshcast::app::{App, Level, Mode, Start};
 use meshcast::dem::Fidelity;
 use meshcast::export::{csv, exported};
 use meshcast::layout::{Layout, REFERENCE};
-use meshcast::mesh::REFERENCE_ID;
+use meshcast::mesh::{REFERENCE_ID, Statistic};
 use meshcast::project::schema::{NamedLayout, Project};
+use meshcast::project::{self, Overwrite};
 use meshcast::units::LengthUnit;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -521,4 +522,52 @@ fn lists_that_go_round_have_ends_too() {
     assert!(matches!(app.mode(), Mode::Export { index: 0 }), "{:?}", app.mode());
     press(&mut app, "<Esc>m<End><Home>");
     assert!(matches!(app.mode(), Mode::MeshPicker { index: 0 }), "{:?}", app.mode());
+}
+
+#[test]
+fn a_mesh_is_added_by_a_form_and_saved_with_the_project() {
+    let mut app = app();
+    let before = app.layout().mesh.clone();
+    press(&mut app, "ma");
+    assert!(text(&app).contains("a mesh for this project"), "{}", text(&app));
+    // Help lies over it and gives it back; a q is text here, and Enter goes through the rows.
+    press(&mut app, "ht?<Esc>q<Enter>High tensile<Enter>180<Enter>450 mm<Enter>");
+    press(&mut app, "<Enter><Enter><Enter>the maker's sheet<Enter>");
+    assert!(text(&app).contains("mean or characteristic?"), "{}", text(&app));
+    assert_eq!(app.layout().mesh, before);
+    press(&mut app, "c<Enter><Enter><Enter><Enter>");
+    assert_eq!(app.layout().mesh, "htq");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.ron");
+    project::create(&path, &project::new_project("x")).unwrap();
+    project::load(&path).unwrap().document.save(app.project(), Overwrite::No).unwrap();
+    let again = project::load(&path).unwrap().project;
+    let mesh = again.mesh(&again.layouts[0]).expect("it is in the file");
+    assert_eq!((mesh.name.as_str(), mesh.laboratory.force), ("High tensile", 180_000.0));
+    assert_eq!(mesh.laboratory.deflection, Some(0.45));
+    assert_eq!(mesh.laboratory.statistic, Statistic::Characteristic);
+    assert_eq!(
+        (mesh.laboratory.panel, mesh.laboratory.source.as_str()),
+        (3.0, "the maker's sheet")
+    );
+    // One edit, which can be undone.
+    press(&mut app, "u");
+    assert_eq!(app.layout().mesh, before);
+    // A second one of that identifier, a force without a number, a panel smaller than the punch.
+    let tried = |app: &mut App, keys: &str| {
+        press(app, "ma");
+        press(app, keys);
+        let said = crate::harness::text(app);
+        press(app, "<Esc><Esc>");
+        said
+    };
+    let same = format!("{before}<Enter><Enter>1<Enter><Enter>m<Enter><Enter><Enter>s<Enter>");
+    assert!(tried(&mut app, &same).contains("already; take another identifier"));
+    let said = tried(&mut app, "a<Enter><Enter>x<Enter><Enter>m<Enter><Enter><Enter>s<Enter>");
+    assert!(said.contains(r#""x" is not a number"#), "{said}");
+    let said = tried(&mut app, "a<Enter><Enter>1<Enter><Enter>m<Enter>0.5<Enter><Enter>s<Enter>");
+    assert!(said.contains("no punch fits into a panel"), "{said}");
+    // The lists are looked through too.
+    press(&mut app, "e/table<Enter>");
+    assert!(matches!(app.mode(), Mode::Export { index: 1.. }), "{:?}", app.mode());
 }

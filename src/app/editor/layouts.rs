@@ -7,7 +7,9 @@ use crate::case::{Input, StepSize};
 use crate::layout::{self, Blocks, BranchRule, Grid, Layout, MethodChoice, PunchShape, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
-use crate::project::schema::{LONGEST_NAME, MOST_LAYOUTS, MOST_OVERLAYS, MeshUse, NamedLayout};
+use crate::project::schema::{
+    LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout,
+};
 use crate::study::verdict::Basis;
 use crate::units::LengthUnit;
 use crate::words::Choice;
@@ -344,21 +346,45 @@ impl Editor {
             let known: Vec<&str> = choices.iter().map(|c| c.mesh.id.as_str()).collect();
             return Err(format!("no mesh {id:?}; there are: {}", known.join(", ")));
         }
+        self.give_mesh(MeshUse::Catalogue(id.to_string()));
+        Ok(())
+    }
+
+    /// Gives the selected layout a mesh, which the project then names if it does not yet.
+    fn give_mesh(&mut self, mesh: MeshUse) {
         let at = self.selected;
         let label = format!("mesh of {}", self.layout().name);
         self.edit(label, |project| {
             if let Some(layout) = project.layouts.get_mut(at) {
-                layout.mesh = id.to_string();
+                layout.mesh = mesh.id().to_string();
             }
-            if !project.meshes.iter().any(|m| m.id() == id) {
+            if !project.meshes.iter().any(|m| m.id() == mesh.id()) {
                 // An empty list stands for the reference mesh, which must stay the first.
-                if project.meshes.is_empty() && id != REFERENCE_ID {
+                if project.meshes.is_empty() && mesh.id() != REFERENCE_ID {
                     project.meshes.push(MeshUse::Catalogue(REFERENCE_ID.into()));
                 }
-                project.meshes.push(MeshUse::Catalogue(id.to_string()));
+                project.meshes.push(mesh);
             }
         });
-        Ok(())
+    }
+
+    /// Writes a checked mesh out in the project and gives it to the selected layout; what to say.
+    ///
+    /// # Errors
+    /// There is no layout, there is a mesh of this identifier, or there are too many.
+    pub(in crate::app) fn add_mesh(&mut self, mesh: MeshType) -> Result<String, String> {
+        if self.empty() {
+            return Err(NONE.into());
+        }
+        if self.meshes().iter().any(|c| c.mesh.id == mesh.id) {
+            return Err(format!("there is a mesh {:?} already; take another identifier", mesh.id));
+        }
+        if self.project.meshes.len() >= MOST_MESHES {
+            return Err(format!("there are {MOST_MESHES} meshes, which is the most"));
+        }
+        let said = format!("mesh {} added and given to {}; Ctrl+S", mesh.id, self.layout().name);
+        self.give_mesh(MeshUse::Inline(Arc::new(mesh)));
+        Ok(said + " saves it in the project")
     }
 
     /// Gives the selected layout other sizes, as an edit; what to say.

@@ -26,6 +26,8 @@ pub enum Action {
     MoveDown,
     Overlay,
     PickMesh,
+    /// The form of a mesh to be added to the project.
+    AddMesh,
     Branch,
     Blocks,
     /// The next kind of grid of the layout.

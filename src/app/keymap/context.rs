@@ -11,6 +11,8 @@ pub enum Context {
     Pager,
     /// The list of meshes.
     MeshPicker,
+    /// The form of a mesh.
+    MeshForm,
     /// The question before quitting with unsaved edits.
     ConfirmQuit,
     /// The question before replacing a file that changed on disk.
@@ -41,11 +43,12 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub(crate) const ALL: [Context; 17] = [
+    pub(crate) const ALL: [Context; 18] = [
         Context::Main,
         Context::Empty,
         Context::Pager,
         Context::MeshPicker,
+        Context::MeshForm,
         Context::ConfirmQuit,
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
@@ -74,6 +77,7 @@ impl Context {
             Context::Empty => "Main screen of a project without layouts",
             Context::Pager => "Help and details",
             Context::MeshPicker => "Mesh list",
+            Context::MeshForm => "A mesh to add",
             Context::ConfirmQuit => "Unsaved edits",
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",

@@ -60,6 +60,7 @@ pub(super) const fn own(context: Context) -> &'static [Binding] {
         Context::Empty => EMPTY,
         Context::Pager => PAGER,
         Context::MeshPicker => MESH_PICKER,
+        Context::MeshForm => MESH_FORM,
         Context::ConfirmQuit => CONFIRM_QUIT,
         Context::ConfirmOverwrite => CONFIRM_OVERWRITE,
         Context::ConfirmRecovery => CONFIRM_RECOVERY,
@@ -174,7 +175,20 @@ const MESH_PICKER: &[Binding] = &[
     k(A::First, &[HOME, PAGE_UP],                  "",         "first mesh"),
     k(A::Last,  &[END, PAGE_DOWN],                 "",         "last mesh"),
     k(A::Take,  &[ENTER],                          "use",      "use this mesh"),
+    k(A::AddMesh, &[c('a')],                       "add",      "add a mesh to the project, by a form"),
+    k(A::Find,  &[c('/')],                         "find",     "find a text in the list; Enter with nothing typed finds the next"),
     k(A::Close, &[ESC, ctrl('g'), c('q'), c('m'), ctrl('c')], "back",     "back, keep the mesh"),
+];
+
+/// The form of a mesh.
+#[rustfmt::skip]
+const MESH_FORM: &[Binding] = &[
+    k(A::Take,  &[ENTER],                        "next",     "the next row; in the last one the mesh is added and given to the layout"),
+    k(A::Down,  &[DOWN, TAB],                    "",         "the next row"),
+    k(A::Up,    &[UP, BACK_TAB],                 "previous", "the row above"),
+    k(A::First, &[PAGE_UP],                      "",         "the first row"),
+    k(A::Last,  &[PAGE_DOWN],                    "",         "the last row"),
+    k(A::Close, &[ESC, ctrl('g'), ctrl('c')],    "back",     "back to the list, no mesh is added; all other keys are text"),
 ];
 
 /// Quit with unsaved edits?
@@ -256,6 +270,7 @@ const EXPORT: &[Binding] = &[
     k(A::Up,    &[UP, c('k'), BACK_TAB],           "",      "previous"),
     k(A::First, &[HOME, PAGE_UP],                  "",      "first"),
     k(A::Last,  &[END, PAGE_DOWN],                 "",      "last"),
+    k(A::Find,  &[c('/')],                         "",      "find a text in the list"),
     k(A::Take,  &[ENTER],                          "write", "write it beside the project, under a name that is free"),
     k(A::Close, &[c('q'), ESC, c('e'), ctrl('g'), ctrl('c')], "back",  "back"),
 ];

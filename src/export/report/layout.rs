@@ -30,7 +30,7 @@ pub(crate) fn layout(
     judged(case, unit, document);
     warnings(case, document);
     let check = report.check(index);
-    pictures(name, Series { case, check }, true, unit, document);
+    pictures(name, Series { case, check }, unit, document);
     steps(case, unit, document);
     if let Ok(field) = &case.forecast().field {
         if let Some(end) = field.end() {
@@ -57,16 +57,13 @@ pub(crate) fn layout(
 }
 
 /// Chart, where there is a line to draw, and plan.
-fn pictures(
-    name: &str,
-    series: Series<'_>,
-    wide: bool,
-    unit: LengthUnit,
-    document: &mut ReportDocument,
-) {
+fn pictures(name: &str, series: Series<'_>, unit: LengthUnit, document: &mut ReportDocument) {
     let caption = format!("{name}: force over deflection");
-    let lines =
-        (!series.bare()).then(|| Picture { svg: chart(&[series], &caption, unit), caption, wide });
+    let lines = (!series.bare()).then(|| Picture {
+        svg: chart(&[series], &caption, unit),
+        caption,
+        wide: true,
+    });
     let plan =
         Picture { svg: plan(series.case, unit), caption: format!("{name}: plan"), wide: false };
     document.blocks.push(Block::Pictures(lines.into_iter().chain([plan]).collect()));
@@ -82,7 +79,7 @@ pub(crate) fn short(
     let unit = report.unit;
     let name = heading(index, case, document);
     judged(case, unit, document);
-    pictures(name, Series { case, check: report.check(index) }, false, unit, document);
+    pictures(name, Series { case, check: report.check(index) }, unit, document);
     warnings(case, document);
 }
 
