@@ -26,7 +26,8 @@ pub(crate) mod warning;
 
 use crate::curve::{Curve, Point};
 use crate::layout::{self, Blocks, BranchRule, Layout, MethodChoice};
-use crate::mesh::{MeshType, STANDARD_PANEL};
+use crate::mesh::wire::WireData;
+use crate::mesh::{self, MeshType, STANDARD_PANEL};
 use crate::method::DerivedMethod;
 use crate::problem::Problem;
 use eccentricity::Eccentricity;
@@ -337,6 +338,10 @@ pub fn forecast(
     };
     if let Ok(field) = &field {
         field_warnings(layout, field, reference, &eccentricity, &mut warnings);
+        if field.method.is_some_and(|method| method.mesh == mesh::REFERENCE_ID) && other_wires(mesh)
+        {
+            warnings.push(Warning::OtherWires);
+        }
         if layout.facing_left_out() {
             let worst = Layout { blocks: Blocks::Worst, ..*layout };
             let worst = derived::derived(&worst, mesh, laboratory).field;
@@ -362,6 +367,18 @@ pub(crate) fn variation(punch: f64) -> f64 {
     /// Punch diameter from which on it scatters less, m.
     const LARGE_PUNCH: f64 = 0.4;
     if punch >= LARGE_PUNCH { 0.07 } else { 0.085 }
+}
+
+/// Whether a mesh has a net and wires, and others than the reference mesh; where they come from is none of it.
+fn other_wires(mesh: &MeshType) -> bool {
+    let reference = mesh::catalogue::reference();
+    match (&mesh.wire, &reference.wire) {
+        (Some(own), Some(due)) => {
+            WireData { source: String::new(), ..own.clone() }
+                != WireData { source: String::new(), ..due.clone() }
+        }
+        _ => false,
+    }
 }
 
 fn field_values(layout: &Layout, reference: Strength, e: &Eccentricity, rule: BranchRule) -> Field {

@@ -117,6 +117,8 @@ pub enum Warning {
         /// Force by the derived method where they take the least, N.
         worst: f64,
     },
+    /// The simulations behind the derived method are of other wires than this mesh's.
+    OtherWires,
     /// Another mesh than the reference one uses the default ratios.
     DefaultRatios,
     /// The laboratory values were converted from another panel.
@@ -176,6 +178,7 @@ impl Warning {
             Warning::EccentricityWithoutData => "eccentricity_without_data",
             Warning::EccentricityFolded { .. } => "eccentricity_folded",
             Warning::FacingLeftOut { .. } => "facing_left_out",
+            Warning::OtherWires => "method_of_other_wires",
             Warning::DefaultRatios => "default_ratios",
             Warning::PanelConverted { .. } => "panel_converted",
             Warning::ReferencePoint { .. } => "reference_point",
@@ -224,6 +227,7 @@ impl Warning {
             Warning::FacingLeftOut { worst } => {
                 format!("blocks worst: {} kN, derived", significant(worst / 1000.0, 3))
             }
+            Warning::OtherWires => "method of other wires".into(),
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
             Warning::PanelConverted { .. } => "laboratory panel converted".into(),
             Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
@@ -292,6 +296,9 @@ impl Warning {
                 "blocks as the paper has them: the same in every cell; blocks `worst`, the lower of repeated and mirrored ones, takes {} kN by the derived method",
                 kn(*worst)
             ),
+            Warning::OtherWires => {
+                "the derived method is made of simulations of the reference mesh, whose net and wires are others than this mesh's: a check of this mesh may differ, and `adopt` makes a method of its own".into()
+            }
             Warning::DefaultRatios => {
                 "this mesh has no ratios of its own: alpha_F and alpha_delta of the double-twist reference are assumed, and may differ".into()
             }

@@ -6,10 +6,11 @@ use super::pace::{Pace, QUIET};
 use crate::case::Case;
 use crate::curve::Point;
 use crate::dem::Flow;
-use crate::study::ensemble::{EnsembleProgress, Run, summary};
-use crate::study::result::make::{Made, Told, fingerprint, make, sample, wires};
+use crate::study::ensemble::{Ensemble, EnsembleProgress, Run, summary};
+use crate::study::result::make::{Made, Told, fingerprint, make, samples, wires};
 use crate::study::result::relief::Relief;
 use crate::study::result::{CheckResult, Wanted};
+use crate::study::sampling::Sample;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -114,11 +115,11 @@ impl Checks {
     fn so_far(&self, seen: &Seen, target: &CheckTarget) -> Option<Made> {
         let mut runs = seen.runs.clone();
         runs.sort_by_key(|(k, _)| *k);
-        let net = runs.first().and_then(|(_, run)| run.outcome.net.as_ref());
-        let relief = net.map(|net| Relief::from_net(net, &target.case.layout));
         let wire = wires(&target.case.mesh).ok()?;
-        let sample = sample(&target.case.layout, wire, &self.wanted).ok()?;
-        let ensemble = summary(runs.into_iter().map(|(_, run)| run).collect(), sample);
+        let samples = samples(&target.case.layout, wire, &self.wanted).ok()?;
+        let ensemble = lowest(runs, samples, self.wanted.runs)?;
+        let net = ensemble.runs.first().and_then(|run| run.outcome.net.as_ref());
+        let relief = net.map(|net| Relief::from_net(net, &target.case.layout));
         let inputs = fingerprint(&target.case.layout, wire, &self.wanted);
         let mut result = CheckResult::from_ensemble(&ensemble, &self.wanted, inputs);
         // A first run goes on behind its break; the mean of several does not, and the chart would jump.
@@ -129,6 +130,21 @@ impl Checks {
         }
         Some(Made { result, relief })
     }
+}
+
+/// The figures of the arrangement that takes the least so far, each weighed by its own sample; `each` is how many
+/// runs an arrangement has, where that was asked for. Nothing of no runs.
+fn lowest(runs: Vec<(usize, Run)>, samples: Vec<Sample>, each: Option<usize>) -> Option<Ensemble> {
+    let last = samples.len().checked_sub(1)?;
+    let part = |k: usize| each.map_or(0, |each| k / each.max(1)).min(last);
+    let of = |(at, sample): (usize, Sample)| {
+        let mine = runs.iter().filter(|(k, _)| part(*k) == at).map(|(_, run)| run.clone());
+        let mine: Vec<Run> = mine.collect();
+        (!mine.is_empty()).then(|| summary(mine, sample))
+    };
+    let force = |e: &Ensemble| if e.force.mean > 0.0 { e.force.mean } else { e.peak[0] };
+    let made = samples.into_iter().enumerate().filter_map(of);
+    made.min_by(|a, b| force(a).total_cmp(&force(b)))
 }
 
 impl Seen {
@@ -242,5 +258,36 @@ mod tests {
         ticket.cancel();
         let heard = news(&order(false, &[1.5, 1.4]), &ticket);
         assert!(matches!(heard.as_slice(), [What::Ended { cancelled: true }]));
+    }
+
+    #[test]
+    fn a_live_check_of_worst_blocks_tells_the_lower_arrangement_by_itself() {
+        let layout = Layout { spacing: 1.8, punch: 0.5, ex: 0.25, ey: 0.35, ..REFERENCE };
+        let layout = Layout { blocks: crate::layout::Blocks::Worst, ..layout };
+        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let case = example(layout, None);
+        let runs = Mutex::new(Vec::new());
+        let whole = make(&layout, &case.mesh, &wanted, 1, &|told| {
+            if let Told::Finished(k, run) = told {
+                runs.lock().unwrap().push((k, run.clone()));
+            }
+            Flow::Continue
+        });
+        let (runs, whole) = (runs.into_inner().unwrap(), whole.unwrap().result);
+        assert_eq!(runs.len(), 4, "two of each arrangement");
+        let wire = wires(&case.mesh).unwrap();
+        let lowest_of = |runs: &[(usize, Run)]| {
+            let samples = samples(&layout, wire, &wanted).unwrap();
+            lowest(runs.to_vec(), samples, wanted.runs).unwrap()
+        };
+        // All of them say what the check says at its end; those of the first say what repeated blocks do.
+        let all = lowest_of(&runs);
+        assert!((all.force.mean / whole.force.mean - 1.0).abs() < 1e-4);
+        assert_eq!(all.runs.len(), 2);
+        let repeated = Layout { blocks: crate::layout::Blocks::Repeated, ..layout };
+        let repeated = make(&repeated, &case.mesh, &wanted, 1, &|_| Flow::Continue).unwrap().result;
+        assert!(whole.force.mean < 0.95 * repeated.force.mean, "mirrored ones take less here");
+        let first = lowest_of(&runs[..2]);
+        assert!((first.force.mean / repeated.force.mean - 1.0).abs() < 1e-4);
     }
 }

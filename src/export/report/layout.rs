@@ -147,32 +147,45 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
     row(ours("field reference {F_a*}, {delta_a*} (step 1)"), f, d);
     if let Ok(values) = &forecast.field {
         let branch = values.branch;
-        let words = format!(
-            "relations A.1, A.2 for a {}, over the reference",
-            branch.word().replace('_', " ")
-        );
         let layout = &forecast.layout;
-        row(
-            words.into(),
-            four(field::force_ratio(layout, branch)),
-            four(field::deflection_ratio(layout, branch)),
-        );
-        let (f, d) = pair(field::centred(layout, branch, forecast.reference));
+        let (words, ratios, map) = match values.method {
+            None => (
+                format!(
+                    "relations A.1, A.2 for a {}, over the reference",
+                    branch.word().replace('_', " ")
+                ),
+                [field::force_ratio(layout, branch), field::deflection_ratio(layout, branch)],
+                "eccentricity factors (map of Fig. A1)",
+            ),
+            Some(method) => {
+                let at = method.sizes.at(layout);
+                let words = format!(
+                    "relations of the derived method for {} blocks, over the reference",
+                    method.blocks.word()
+                );
+                (words, [at.force, at.deflection], "factors of the offset (derived method)")
+            }
+        };
+        row(words.into(), four(ratios[0]), four(ratios[1]));
+        let (f, d) = pair(Strength {
+            force: ratios[0] * forecast.reference.force,
+            deflection: forecast.reference.deflection.map(|delta| ratios[1] * delta),
+        });
         row("centred block".into(), f, d);
         let e = &forecast.eccentricity;
         let with_sd = |v: f64, sd: f64| {
             if sd > 0.0 { format!("{} \u{b1} {}", four(v), significant(sd, 2)) } else { four(v) }
         };
-        row(
-            "eccentricity factors (map of Fig. A1)".into(),
-            with_sd(e.force, e.force_sd),
-            with_sd(e.deflection, e.deflection_sd),
-        );
+        row(map.into(), with_sd(e.force, e.force_sd), with_sd(e.deflection, e.deflection_sd));
         let (f, d) = pair(values.values);
         rows.push(vec![ours("at failure: {F_a}, {delta_a} (step 2)"), strong(f), strong(d)]);
         let mut row = |words: Words, force: String, deflection: String| {
             rows.push(vec![words, force.into(), deflection.into()]);
         };
+        if let Some(published) = values.published {
+            let (f, d) = pair(published);
+            row("the same by the published method".into(), f, d);
+        }
         if let Some(other) = values.other_branch {
             let (f, d) = pair(other);
             let relation = branch.other().word().replace('_', " ");

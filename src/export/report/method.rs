@@ -1,8 +1,11 @@
 //! What the report says of the method: its equations and its limits.
 
 use super::document::{Block, ReportDocument, ours};
+use crate::export::ExportedLayout;
 use crate::forecast::eccentricity::published;
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
+use crate::method::DerivedMethod;
+use crate::units::{shortest, significant};
 
 /// The equations, in the order in which they are used.
 pub(crate) fn equations(document: &mut ReportDocument) {
@@ -44,6 +47,48 @@ pub(crate) fn equations(document: &mut ReportDocument) {
     document.say("The eccentricity factors come from a map that stands for Fig. A1, with the uncertainty of each value. Its sources:");
     let sources = published().sources().iter().map(|s| s.as_str().into()).collect();
     document.blocks.push(Block::List(sources));
+}
+
+/// The derived methods that some of these layouts take; nothing where none does.
+pub(crate) fn derived(cases: &[ExportedLayout], document: &mut ReportDocument) {
+    let mut methods: Vec<&DerivedMethod> = Vec::new();
+    for field in cases.iter().filter_map(|case| case.forecast().field.as_ref().ok()) {
+        let Some(method) = field.method else { continue };
+        if !methods.contains(&method) {
+            methods.push(method);
+        }
+    }
+    if methods.is_empty() {
+        return;
+    }
+    document.say("Derived methods. A layout whose method is derived takes the same three steps with relations made of simulations of the mesh instead of Eqs. A.1, A.2, the map of Fig. A1 and Eq. 3. Where its blocks are `worst` the lower of the repeated and the mirrored method counts. Dotted lines in its chart hold 90 % of the simulated curves.");
+    let items = methods.iter().map(|method| {
+        let [a, b, c] = method.master.cubic;
+        let [plate, spacing, punch] =
+            method.ranges.map(|[from, to]| format!("{} to {} m", shortest(from), shortest(to)));
+        ours(&format!(
+            "{}: {} of {} runs of random layouts ({}, {}), {{d}} {plate}, {{L}} {spacing}, {{D}} {punch}; {{alpha_F}} = {}, {{alpha_delta}} = {}; size relations: {}; offset: a sum of cosines of {} runs; {{y}} = {} {{x}}³ {} {{x}}² {} {{x}}.",
+            method.name,
+            method.runs.used,
+            method.runs.asked,
+            method.revisions,
+            method.fidelity,
+            significant(method.alpha.force, 4),
+            significant(method.alpha.deflection, 4),
+            method.sizes.form,
+            method.offsets.runs,
+            significant(a, 4),
+            signed(b),
+            signed(c),
+        ))
+    });
+    document.blocks.push(Block::List(items.collect()));
+}
+
+/// A number behind another one: `- 0.138`, `+ 0.0230`.
+fn signed(value: f64) -> String {
+    let sign = if value < 0.0 { "-" } else { "+" };
+    format!("{sign} {}", significant(value.abs(), 3))
 }
 
 /// Where the method ends.

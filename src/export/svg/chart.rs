@@ -7,7 +7,7 @@ use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
-use crate::forecast::{Strength, Values, rescaled};
+use crate::forecast::{Field, Strength, Values, rescaled};
 use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
 
 /// A layout in a chart, with its check if there is one.
@@ -142,6 +142,20 @@ impl Content {
             entry.band = check.band.is_some();
         }
         self.breaks.extend(&check.breaks);
+    }
+
+    /// Between which 90 % of the simulated curves lie, where the method is a derived one.
+    fn envelope(&mut self, field: &Field) {
+        let Some(edges) = field.envelope() else { return };
+        let words = "90 % of the simulated curves, over their own ends".to_string();
+        let (line, tag) = (Some(marks::ENVELOPE), String::new());
+        self.legend.push(LegendEntry { line, mark: None, band: false, tag, words });
+        self.lines.extend(edges.iter().map(|edge| Line {
+            points: edge.points().collect(),
+            stroke: marks::ENVELOPE,
+            end: None,
+            tag: String::new(),
+        }));
     }
 
     /// The point that the axes must hold.
@@ -304,6 +318,7 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
                 Some(end) => {
                     let curve = end.curve(POINTS);
                     content.line(&curve, marks::FORECAST, Mark::Cross, "forecast", words);
+                    content.envelope(field);
                 }
                 None => {
                     content.remark = Some(STRENGTH_ONLY);

@@ -21,6 +21,8 @@ pub(crate) enum Mark {
 
 /// Line of the forecast of a single layout.
 pub(crate) const FORECAST: Stroke = Stroke::solid("#000", 2.4);
+/// Lines around the forecast that hold most of the simulated curves.
+pub(crate) const ENVELOPE: Stroke = Stroke { colour: "#000", width: 1.0, dashes: "1 4" };
 /// Line of the laboratory test.
 pub(crate) const LABORATORY: Stroke = Stroke { colour: "#444", width: 2.0, dashes: "0.1 5" };
 /// Line of the other branch.

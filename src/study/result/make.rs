@@ -62,19 +62,22 @@ pub fn fingerprint(layout: &Layout, wire: &WireData, wanted: &Wanted) -> Fingerp
     of_ensemble(&spec(layout, wire, wanted), &wanted.controls(), &wanted.plan(1))
 }
 
-/// Where the runs of a layout's check stand.
+/// Where the runs of a layout's check stand, of each arrangement that it simulates.
 ///
 /// # Errors
 /// What is wrong with the layout or its wires.
-pub(crate) fn sample(
+pub(crate) fn samples(
     layout: &Layout,
     wire: &WireData,
     wanted: &Wanted,
-) -> Result<Sample, Vec<Problem>> {
+) -> Result<Vec<Sample>, Vec<Problem>> {
     let spec = spec(layout, wire, wanted);
-    let arrangement = blocks::arrangements(layout).into_iter().next().unwrap_or_default();
-    let scene = Scene::new(&SceneSpec { arrangement, ..spec })?;
-    Ok(Sample::of(&scene, &wanted.plan(1)))
+    let arrangements = blocks::arrangements(layout).into_iter();
+    let of = |arrangement| {
+        let scene = Scene::new(&SceneSpec { arrangement, ..spec.clone() })?;
+        Ok(Sample::of(&scene, &wanted.plan(1)))
+    };
+    arrangements.map(of).collect()
 }
 
 /// Checks a layout. `tell` is called from several threads and may end it; what is done by then is kept.
