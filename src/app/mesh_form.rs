@@ -109,6 +109,7 @@ impl MeshForm {
             },
             ratios: None,
             wire: None,
+            adopted: None,
         })
     }
 }

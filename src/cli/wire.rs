@@ -41,7 +41,14 @@ impl Wires {
                 format!("opening {} mm, wire {} mm", mm(wire.net.opening), mm(wire.net.diameter));
             let id =
                 path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-            MeshType { id, name: net, reference: false, wire: Some(wire.clone()), ..mesh.clone() }
+            MeshType {
+                id,
+                name: net,
+                reference: false,
+                wire: Some(wire.clone()),
+                adopted: None,
+                ..mesh.clone()
+            }
         })
     }
 

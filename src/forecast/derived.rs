@@ -3,7 +3,9 @@
 //!
 //! The methods of the reference mesh are shipped in `assets/methods`, made by `meshcast campaign` and
 //! `meshcast derive`, for repeated blocks and for mirrored ones. Another mesh takes them as it takes the paper's
-//! relations: with its own laboratory values, its own ratios where it has any, and a warning where not.
+//! relations: with its own laboratory values, its own ratios where it has any, and a warning where not. A mesh
+//! that was adopted brings methods of its own; an arrangement that it has none for borrows what an offset does
+//! from the reference mesh.
 
 use super::eccentricity::Eccentricity;
 use super::field::Branch;
@@ -11,7 +13,9 @@ use super::ratios::{self, Ratios};
 use super::{Field, NoField, Strength};
 use crate::layout::{Blocks, Layout};
 use crate::mesh::MeshType;
+use crate::mesh::adopted::Adopted;
 use crate::method::DerivedMethod;
+use crate::method::offset::Offsets;
 use std::sync::OnceLock;
 
 /// The method of an arrangement, as it is shipped.
@@ -59,13 +63,50 @@ pub(super) struct Derived {
     pub(super) ratios: Ratios,
     pub(super) eccentricity: Eccentricity,
     pub(super) field: Result<Field, NoField>,
+    /// Whether the factors of the offset are another mesh's.
+    pub(super) borrowed: bool,
 }
 
-/// By the shipped methods. `layout` has a square grid and no block on a plate.
+/// The relations that a mesh goes by in an arrangement.
+#[derive(Debug, Clone, Copy)]
+struct Relations {
+    method: &'static DerivedMethod,
+    offsets: &'static Offsets,
+    /// Whether the method is the mesh's own.
+    own: bool,
+    /// Whether the offsets are not.
+    borrowed: bool,
+}
+
+impl Relations {
+    fn of(mesh: &MeshType, of: Arranged) -> Relations {
+        let adopted = mesh.adopted.as_ref();
+        let own = |blocks| adopted.and_then(|adopted| adopted.method(blocks));
+        let wanted = match of {
+            Arranged::Repeated => Blocks::Repeated,
+            Arranged::Mirrored => Blocks::Mirrored,
+        };
+        match (own(wanted), own(Blocks::Repeated)) {
+            (Some(method), _) => {
+                Relations { method, offsets: &method.offsets, own: true, borrowed: false }
+            }
+            (None, Some(method)) => {
+                Relations { method, offsets: &shipped(of).offsets, own: true, borrowed: true }
+            }
+            (None, None) => {
+                let method = shipped(of);
+                Relations { method, offsets: &method.offsets, own: false, borrowed: false }
+            }
+        }
+    }
+}
+
+/// By the methods of the mesh, or the shipped ones. `layout` has a square grid and no block on a plate.
 pub(super) fn derived(layout: &Layout, mesh: &MeshType, laboratory: Strength) -> Derived {
     let list = arrangements(layout);
     let all = list.unwrap_or(&[Arranged::Repeated]).iter();
-    let mut made: Vec<Derived> = all.map(|of| by(shipped(*of), layout, mesh, laboratory)).collect();
+    let mut made: Vec<Derived> =
+        all.map(|of| by(Relations::of(mesh, *of), layout, mesh, laboratory)).collect();
     let force = |d: &Derived| d.field.map_or(f64::INFINITY, |field| field.values.force);
     made.sort_by(|a, b| force(a).total_cmp(&force(b)));
     // There is one at least.
@@ -75,21 +116,20 @@ pub(super) fn derived(layout: &Layout, mesh: &MeshType, laboratory: Strength) ->
 
 /// By one method.
 fn by(
-    method: &'static DerivedMethod,
+    Relations { method, offsets, own: by_own, borrowed }: Relations,
     layout: &Layout,
     mesh: &MeshType,
     laboratory: Strength,
 ) -> Derived {
     let own = ratios::of_mesh(mesh);
     let alpha =
-        Ratios { force: method.alpha.force, deflection: method.alpha.deflection, default: true };
+        Ratios { force: method.alpha.force, deflection: method.alpha.deflection, default: !by_own };
     let ratios = if own.default { alpha } else { own };
     let reference = ratios::field_reference(laboratory, &ratios);
     let centred = method.sizes.at(layout);
-    let factors = method.offsets.at(layout, &centred);
+    let factors = offsets.at(layout, &centred);
     let offset = layout.folded() != (0.0, 0.0);
-    let sd =
-        |k: usize, factor: f64| if offset { method.offsets.deviation[k] * factor } else { 0.0 };
+    let sd = |k: usize, factor: f64| if offset { offsets.deviation[k] * factor } else { 0.0 };
     let eccentricity = Eccentricity {
         force: factors.force,
         deflection: factors.deflection,
@@ -111,6 +151,8 @@ fn by(
         (true, true) => s.small_offset,
         (false, true) => s.large_offset,
     };
+    // That the law is known within a range scatters no panel, but what is known of all of them.
+    let laws = mesh.adopted.as_ref().filter(|_| by_own).map_or(0.0, Adopted::variation);
     let field = Field {
         values,
         regime: branch,
@@ -118,9 +160,9 @@ fn by(
         other_branch: None,
         method: Some(method),
         published: None,
-        variation: scatter[0],
+        variation: scatter[0].hypot(laws),
     };
-    Derived { ratios, eccentricity, field: Ok(field) }
+    Derived { ratios, eccentricity, field: Ok(field), borrowed: borrowed && offset }
 }
 
 #[cfg(test)]

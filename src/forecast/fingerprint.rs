@@ -4,6 +4,7 @@ use super::design::Question;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::layout::{BranchRule, Layout, MethodChoice, Twists};
 use crate::mesh::MeshType;
+use crate::mesh::adopted::Adopted;
 use crate::words::Choice;
 
 /// Fingerprint of all that decides a forecast: layout, branch rule, and of the mesh what the closed form
@@ -14,6 +15,7 @@ use crate::words::Choice;
 pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> Fingerprint {
     let lab = &mesh.laboratory;
     let own = mesh.ratios.as_ref();
+    let derived = layout.method == MethodChoice::Derived;
     Fingerprinter::new("forecast")
         .number(layout.plate)
         .number(layout.spacing)
@@ -37,7 +39,15 @@ pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> F
         .with("example", mesh.example, false)
         .given("alpha_F", own.map(|r| r.force))
         .given("alpha_delta", own.map(|r| r.deflection))
+        .given("adopted", mesh.adopted.as_ref().filter(|_| derived).map(adopted))
         .finish()
+}
+
+/// Print of what an adopted mesh brings: its range and its methods.
+fn adopted(adopted: &Adopted) -> String {
+    // Plain data of finite numbers can always be written.
+    let text = serde_json::to_string(adopted).unwrap_or_default();
+    Fingerprinter::new("adopted").text(&text).finish().to_string()
 }
 
 /// Fingerprint of a forecast, given by its own, with what is asked of it: of a study's answer, which

@@ -326,6 +326,8 @@ pub fn forecast(
     } else if let Some(by_runs) = by_runs {
         if by_runs.field == Err(NoField::Overlap) {
             warnings.push(Warning::BlocksOverlap);
+        } else if by_runs.borrowed {
+            warnings.push(Warning::BorrowedMap);
         }
         let by_paper = || {
             let reference = ratios::field_reference(laboratory, &ratios::of_mesh(mesh));

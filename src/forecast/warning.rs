@@ -121,6 +121,8 @@ pub enum Warning {
     OtherWires,
     /// Another mesh than the reference one uses the default ratios.
     DefaultRatios,
+    /// What an offset does is known of another mesh than this one.
+    BorrowedMap,
     /// The laboratory values were converted from another panel.
     PanelConverted {
         /// Side of the tested panel, m.
@@ -180,6 +182,7 @@ impl Warning {
             Warning::FacingLeftOut { .. } => "facing_left_out",
             Warning::OtherWires => "method_of_other_wires",
             Warning::DefaultRatios => "default_ratios",
+            Warning::BorrowedMap => "borrowed_map",
             Warning::PanelConverted { .. } => "panel_converted",
             Warning::ReferencePoint { .. } => "reference_point",
             Warning::ExampleMesh => "example_mesh",
@@ -229,6 +232,7 @@ impl Warning {
             }
             Warning::OtherWires => "method of other wires".into(),
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
+            Warning::BorrowedMap => "offset map of another mesh".into(),
             Warning::PanelConverted { .. } => "laboratory panel converted".into(),
             Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
             Warning::ExampleMesh => "example mesh, not a product".into(),
@@ -301,6 +305,9 @@ impl Warning {
             }
             Warning::DefaultRatios => {
                 "this mesh has no ratios of its own: alpha_F and alpha_delta of the double-twist reference are assumed, and may differ".into()
+            }
+            Warning::BorrowedMap => {
+                "this mesh has no runs of blocks that stand like this: what the offset does is taken from the double-twist reference, and may differ".into()
             }
             Warning::PanelConverted { panel } => format!(
                 "the laboratory values were measured on a panel of {} and converted to the standard 3.0 m by Eqs. 1-2",

@@ -1,6 +1,7 @@
 //! The makers' instruments: how good the check is, and where its wires come from. Nothing that an
 //! engineer's answer needs.
 //!
+//! - [`adopt`]: a mesh from its own tests to a method of forecasts of its own.
 //! - [`mod@bench`]: run time against error on the bench scenes; [`convergence`]: error against each knob,
 //!   and cost against size.
 //! - [`estimates`]: a run's own error estimate against its true error, on scenes drawn by a seed.
@@ -14,6 +15,7 @@
 //! - [`reproduce`]: the paper's figures and tables from our simulations.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
 
+pub(crate) mod adopt;
 pub(crate) mod arrangements;
 pub mod bench;
 pub mod calibrate;

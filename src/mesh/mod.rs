@@ -2,10 +2,12 @@
 //! has any, and the wire data that the discrete element check needs.
 //!
 //! - [`MeshType`] and its parts: this file.
+//! - [`adopted`]: what a mesh carries that was adopted from its own tests.
 //! - [`catalogue`]: the mesh types shipped in `assets/meshes.ron`.
 //! - [`laws`]: wire laws with a name, for comparing solvers and for starting a calibration.
 //! - [`wire`]: the net's geometry and the stress-strain curves of its wires.
 
+pub mod adopted;
 pub mod catalogue;
 pub mod laws;
 pub mod wire;
@@ -49,6 +51,9 @@ pub struct MeshType {
     /// Net and wires for the discrete element check; without it only the forecast is possible.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wire: Option<wire::WireData>,
+    /// What `meshcast adopt` found, where the mesh was adopted from its own tests.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adopted: Option<adopted::Adopted>,
 }
 
 /// Result of a laboratory punch test.
@@ -214,6 +219,7 @@ impl MeshType {
             );
         }
         problems.extend(lab.punch_problem());
+        problems.extend(self.adopted.as_ref().and_then(adopted::Adopted::problem));
         if let Some(wire) = &self.wire
             && let Err(found) = wire.check()
         {

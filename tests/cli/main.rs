@@ -1,5 +1,6 @@
 //! The built binary without a screen: results, errors, exit codes.
 
+mod adopt;
 mod bench;
 mod calibrate;
 mod campaign;

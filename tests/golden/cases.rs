@@ -188,6 +188,7 @@ fn rest(table: &mut Table) {
         "export",
         "report",
         "check",
+        "adopt",
         "calibrate",
         "bench",
         "mesh",

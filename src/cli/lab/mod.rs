@@ -1,5 +1,6 @@
-//! Commands of the makers, see [`crate::lab`]: [`mod@bench`], [`calibrate`], [`campaign`], [`mod@derive`], [`held_out`], [`reproduce`], [`validate`].
+//! Commands of the makers, see [`crate::lab`]: [`adopt`], [`mod@bench`], [`calibrate`], [`campaign`], [`mod@derive`], [`held_out`], [`reproduce`], [`validate`].
 
+pub(crate) mod adopt;
 pub(crate) mod bench;
 pub(crate) mod calibrate;
 pub(crate) mod campaign;

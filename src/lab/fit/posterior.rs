@@ -10,12 +10,16 @@
 use super::data::{FirstBond, MeshData, prior};
 use super::family::{COUNT, LawParameters};
 use super::levenberg::{inverse, learn, normal, solve};
+use super::reference::starts;
 use super::rows::{Ended, FitScene, FitTell, Made, SceneKind};
 use super::{FitQuestion, FittedLaw, Held, HeldFigure};
 use crate::dem::hash::{hash, uniform};
 use crate::dem::{Fidelity, Test};
 use crate::layout::REFERENCE;
 
+/// The starts, by their names among those of the reference fit, and in a few words.
+const STARTS: [&str; 2] = ["weak twist", "strong twist and wire"];
+pub(crate) const START_WORDS: [&str; 2] = ["weak twist", "strong twist"];
 /// Laws drawn from each start, the best one aside.
 const DRAWS: usize = 16;
 /// Simulations that each may take on its way.
@@ -78,13 +82,25 @@ pub(crate) struct Identified {
     pub(crate) anchored: [[f64; 3]; 2],
 }
 
+impl Identified {
+    /// Among the laws that fit about as well as the best one, that in the middle of the ensemble by the force of
+    /// the anchored reference: the one to stand for all of them.
+    pub(crate) fn middle(&self) -> &EnsembleLaw {
+        let [_, middle, _] = self.anchored[0];
+        let best = &self.laws[0];
+        let off = |law: &EnsembleLaw| libm::log(law.anchored[0] / middle).abs();
+        let near =
+            self.laws.iter().filter(|law| law.score <= best.score + self.values.len() as f64);
+        near.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(best)
+    }
+}
+
 /// Finds the laws that fit. Nothing where no start can be run or none agrees with the bond that breaks first.
 ///
 /// # Errors
 /// Why it was ended.
 pub(crate) fn identify(
     data: &MeshData,
-    starts: &[LawParameters],
     options: &IdentifyOptions,
     tell: &FitTell,
 ) -> Result<Option<Identified>, Ended> {
@@ -96,7 +112,10 @@ pub(crate) fn identify(
         runs: ANCHORED_RUNS,
     });
     let (mut fits, mut drawn) = (Vec::new(), Vec::new());
-    for (number, start) in starts.iter().enumerate() {
+    for (number, name) in STARTS.iter().enumerate() {
+        let Some(start) = starts().iter().find(|s| s.name == *name).map(|s| &s.law) else {
+            continue;
+        };
         let held = prior(start);
         let Some(fit) = question.fit(start, &held, SEARCH, tell)? else { continue };
         let from = Valley { number, fit: &fit, held: &held, rows: question.rows.len() };

@@ -245,6 +245,7 @@ fn meshes() -> impl Strategy<Value = MeshType> {
                     source,
                 }),
                 wire,
+                adopted: None,
             }
         },
     )

@@ -5,13 +5,14 @@ use super::{Aspect, Basis, Checked, Judge, Simulated, State, Verdict, VerdictRem
 use crate::case::{Case, CasePoint, CaseValue, Derived, NoValue};
 use crate::forecast::warning::extrapolated;
 use crate::forecast::{Field, Forecast, NoField};
+use crate::mesh::adopted::Adopted;
 use crate::problem::Problem;
 
 /// Standard deviations from the mean to the 5 % point of a normal distribution.
 const FIVE_PER_CENT: f64 = 1.645;
 /// A forecast's characteristic F_a as a part of its mean, by its coefficient of variation.
 pub(crate) fn characteristic_part(variation: f64) -> f64 {
-    1.0 - FIVE_PER_CENT * variation
+    (1.0 - FIVE_PER_CENT * variation).max(0.0)
 }
 
 /// What a verdict takes from a forecast.
@@ -90,7 +91,7 @@ pub fn verdict(
         deflection.unwrap_or_else(|state| open(Aspect::Deflection, case, state)),
         anchor(case, check),
     ];
-    Verdict { basis, checks, remarks: remarks(&forecast, simulated) }
+    Verdict { basis, checks, remarks: remarks(case, &forecast, simulated) }
 }
 
 /// Of one check by several panels the worst; nothing asked or nothing judged as the state it leaves.
@@ -140,9 +141,19 @@ fn lacking(needed: &[(Option<f64>, &'static str)]) -> Option<&'static str> {
     needed.iter().find(|(value, _)| value.is_none()).map(|(_, name)| *name)
 }
 
+/// Force at failure, mean and characteristic, N. A check knows one law; with a mesh that was adopted the range
+/// of the laws that fit lowers its characteristic value. A forecast's has that already.
+pub(super) fn with_laws(case: &Case, panel: &Panel) -> [Option<f64>; 2] {
+    let force = panel.force();
+    let (Panel::Check(_), Some(adopted)) = (panel, &case.mesh.adopted) else { return force };
+    let [Some(mean), Some(low)] = force else { return force };
+    let scatter = (1.0 - low / mean) / FIVE_PER_CENT;
+    [Some(mean), Some(mean * characteristic_part(scatter.hypot(adopted.variation())))]
+}
+
 fn strength(case: &Case, panel: &Panel, basis: Basis) -> Checked {
     let asked = case.asked();
-    let resistance = panel.force().map(|f| Some(f? / asked.gamma_resistance));
+    let resistance = with_laws(case, panel).map(|f| Some(f? / asked.gamma_resistance));
     let Some(force) = asked.force else {
         let none = open(Aspect::Strength, case, State::NotAsked(LOAD));
         return Checked { capacity: resistance, ..none };
@@ -227,8 +238,11 @@ fn passes(passes: bool) -> State {
     if passes { State::Pass } else { State::Fail }
 }
 
-fn remarks(forecast: &Forecasted, simulated: Simulated) -> Vec<VerdictRemark> {
+fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<VerdictRemark> {
     let mut remarks = Vec::new();
+    if case.mesh.adopted.as_ref().is_some_and(Adopted::wide) {
+        remarks.push(VerdictRemark::WideLaws);
+    }
     if forecast.extrapolated {
         remarks.push(VerdictRemark::Extrapolated);
     }

@@ -222,6 +222,8 @@ pub enum VerdictRemark {
     OneRun,
     /// The forecast is extrapolated.
     Extrapolated,
+    /// The laws that fit the tests of an adopted mesh differ by more than a plain pass allows.
+    WideLaws,
 }
 
 impl VerdictRemark {
@@ -232,6 +234,7 @@ impl VerdictRemark {
             VerdictRemark::Apart => "forecast_and_check_apart",
             VerdictRemark::OneRun => "one_run",
             VerdictRemark::Extrapolated => "extrapolated",
+            VerdictRemark::WideLaws => "wide_laws",
         }
     }
 
@@ -250,6 +253,7 @@ impl VerdictRemark {
             VerdictRemark::Apart => "forecast and check apart",
             VerdictRemark::OneRun => "one run, no lower value",
             VerdictRemark::Extrapolated => "extrapolated",
+            VerdictRemark::WideLaws => "law of the mesh uncertain",
         }
     }
 
@@ -262,6 +266,9 @@ impl VerdictRemark {
             }
             VerdictRemark::OneRun => "a check of one run has no characteristic value",
             VerdictRemark::Extrapolated => "the forecast is extrapolated",
+            VerdictRemark::WideLaws => {
+                "the laws that fit the tests of this mesh differ by more than 15 %; more data would narrow them"
+            }
         }
     }
 }
@@ -357,7 +364,9 @@ impl Verdict {
             Finding::NotJudged
         } else if !any(|s| s == State::Pass) {
             Finding::NotAsked
-        } else if caution && self.largest_use() > Some(NEAR_LIMIT) {
+        } else if self.remarks.contains(&VerdictRemark::WideLaws)
+            || caution && self.largest_use() > Some(NEAR_LIMIT)
+        {
             Finding::Doubtful
         } else {
             Finding::Passes

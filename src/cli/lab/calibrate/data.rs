@@ -14,8 +14,9 @@ use crate::lab::calibrate::unlike_steel;
 use crate::lab::fit::curve::{LabCurve, told};
 use crate::lab::fit::data::{FirstBond, MeshData, PunchData, TensileData};
 use crate::lab::fit::family::WORDS;
-use crate::lab::fit::posterior::{Identified, IdentifyOptions, SIMULATIONS, identify};
-use crate::lab::fit::reference::starts;
+use crate::lab::fit::posterior::{
+    EnsembleLaw, Identified, IdentifyOptions, SIMULATIONS, START_WORDS, identify,
+};
 use crate::lab::fit::rows::{Ended, FitScene, Measure};
 use crate::mesh::wire::{NetGeometry, WireData};
 use crate::project::{self, SaveError, commented};
@@ -31,10 +32,6 @@ use std::sync::Mutex;
 /// What else is known of the mesh.
 #[derive(Debug, Args, Clone, Default)]
 pub(crate) struct DataArgs {
-    /// Gives all laws that fit, from a weak and from a strong twist, and what the data hold; so does any flag
-    /// of this group.
-    #[arg(long, help_heading = "More data")]
-    ensemble: bool,
     /// The test's whole curve: a table with a header such as deflection_mm,force_kN.
     #[arg(long, value_name = "FILE", help_heading = "More data")]
     curve: Option<PathBuf>,
@@ -101,8 +98,7 @@ fn another(text: &str) -> Result<[f64; 4], String> {
 impl DataArgs {
     /// Whether anything of the group was given.
     pub(super) fn given(&self) -> bool {
-        let flags =
-            [self.ensemble, self.curve.is_some(), !self.another.is_empty(), self.breaks.is_some()];
+        let flags = [self.curve.is_some(), !self.another.is_empty(), self.breaks.is_some()];
         let numbers = [
             self.k75,
             self.strength_along,
@@ -116,19 +112,25 @@ impl DataArgs {
         flags.contains(&true) || numbers.iter().any(Option::is_some)
     }
 
-    /// What was told, or what is wrong with it.
-    fn data(&self, args: &CalibrateArgs, start: &WireData) -> Result<MeshData, Fault> {
+    /// What was told beside a punch test, given by its force and deflection, panel and punch; or what is
+    /// wrong with it.
+    pub(in crate::cli::lab) fn data(
+        &self,
+        [force, deflection]: [Option<f64>; 2],
+        [panel, punch]: [f64; 2],
+        start: &NetGeometry,
+    ) -> Result<MeshData, Fault> {
         let curve = self.curve.as_deref().map(read).transpose()?;
         let end = curve.as_ref().map(LabCurve::end);
-        let Some(force) = args.force.or(end.map(|p| p.force)) else {
+        let Some(force) = force.or(end.map(|p| p.force)) else {
             return Err(Fault::input(
                 "--force: the force of the test is missing; give it, or its --curve",
             ));
         };
-        let deflection = args.deflection.or(end.map(|p| p.deflection));
+        let deflection = deflection.or(end.map(|p| p.deflection));
         let mut punches = vec![PunchData {
-            panel: args.panel,
-            punch: args.punch,
+            panel,
+            punch,
             force,
             deflection,
             stiffness: self.k75.map(from_kn),
@@ -147,7 +149,7 @@ impl DataArgs {
             Some(TensileData { sides: self.piece.0, pull, strength: from_kn(strength?) })
         });
         let data = MeshData {
-            net: self.net(&start.net),
+            net: self.net(start),
             punches,
             tensile: tensile.collect(),
             wire_strength: self.wire_strength,
@@ -187,7 +189,8 @@ pub(super) fn run(args: &CalibrateArgs) -> CommandEnd {
     if let Some(path) = args.out.as_ref().filter(|path| path.exists()) {
         return Err(exists(path));
     }
-    let data = args.data.data(args, &start)?;
+    let data =
+        args.data.data([args.force, args.deflection], [args.panel, args.punch], &start.net)?;
     let options = IdentifyOptions {
         seed: args.seed,
         // The prior and the ensemble leave more open than a quick run does.
@@ -195,37 +198,12 @@ pub(super) fn run(args: &CalibrateArgs) -> CommandEnd {
         threads: threads(args.threads),
     };
     let watch = Watch::start();
-    let count = Mutex::new(Trials::default());
-    let parts = 2 * SIMULATIONS * (data.punches.len() + data.tensile.len());
-    let tell = |scene: &FitScene, now: EnsembleProgress| -> Flow {
-        // A lock is only poisoned by a panic, and the count stays whole.
-        let trial = count.lock().unwrap_or_else(std::sync::PoisonError::into_inner).at(scene, now);
-        let part = trial.min(parts) - 1;
-        watch.part(&format!("{}, trial {trial}", scene.words), part, parts, scene.end());
-        watch.tell(now)
-    };
-    let names = ["weak twist", "strong twist"];
-    let from: Vec<_> = starts()
-        .iter()
-        .filter(|start| ["weak twist", "strong twist and wire"].contains(&start.name.as_str()))
-        .map(|start| start.law)
-        .collect();
-    let found = match identify(&data, &from, &options, &tell) {
-        Ok(found) => found,
-        Err(Ended::Bad(problems)) => return Err(problems.into()),
-        Err(Ended::Cancelled) => {
-            watch.finish("no law yet");
-            return Ok(Output { interrupted: true, ..Output::default() });
-        }
+    let Some(found) = laws(&data, &options, &watch)? else {
+        watch.finish("no law yet");
+        return Ok(Output { interrupted: true, ..Output::default() });
     };
     watch.finish("laws that fit");
-    let Some(found) = found else {
-        return Err(Fault::Failure(
-            "no law of the family fits: none can be run, or in none does that bond break first"
-                .into(),
-        ));
-    };
-    let result = Told { args, data, found, names };
+    let result = Told { args, data, found };
     if let Some(path) = &args.out {
         write_wires(path, &result.wire())?;
     }
@@ -244,6 +222,35 @@ fn write_wires(path: &Path, wire: &WireData) -> Result<(), Fault> {
         SaveError::Exists(path) => exists(&path),
         other => Fault::Failure(other.to_string()),
     })
+}
+
+/// The laws that fit; nothing where the user ended it.
+///
+/// # Errors
+/// A scene that cannot be built, or no law that fits.
+pub(in crate::cli::lab) fn laws(
+    data: &MeshData,
+    options: &IdentifyOptions,
+    watch: &Watch,
+) -> Result<Option<Identified>, Fault> {
+    let count = Mutex::new(Trials::default());
+    let parts = 2 * SIMULATIONS * (data.punches.len() + data.tensile.len());
+    let tell = |scene: &FitScene, now: EnsembleProgress| -> Flow {
+        // A lock is only poisoned by a panic, and the count stays whole.
+        let trial = count.lock().unwrap_or_else(std::sync::PoisonError::into_inner).at(scene, now);
+        let part = trial.min(parts) - 1;
+        watch.part(&format!("{}, trial {trial}", scene.words), part, parts, scene.end());
+        watch.tell(now)
+    };
+    match identify(data, options, &tell) {
+        Ok(Some(found)) => Ok(Some(found)),
+        Ok(None) => Err(Fault::Failure(
+            "no law of the family fits: none can be run, or in none does that bond break first"
+                .into(),
+        )),
+        Err(Ended::Bad(problems)) => Err(problems.into()),
+        Err(Ended::Cancelled) => Ok(None),
+    }
 }
 
 /// Counts the simulations of scenes by their progress.
@@ -271,51 +278,15 @@ struct Told<'a> {
     args: &'a CalibrateArgs,
     data: MeshData,
     found: Identified,
-    names: [&'static str; 2],
 }
 
 impl Told<'_> {
     fn wire(&self) -> WireData {
-        let best = &self.found.laws[0];
-        let rows: Vec<&str> = self.found.question.rows.iter().map(|r| r.label.as_str()).collect();
-        let source = format!(
-            "Made by `meshcast calibrate` with more data: the best of {} laws, in the valley of the {}; fitted to {}; the prior is steel wire by EN 10223-3, 350 to 550 MPa, and 8 to 35 %",
-            self.found.laws.len(),
-            self.names[best.start],
-            rows.join(", ")
-        );
-        best.law.wire(self.data.net, source)
+        wire(&self.found, &self.found.laws[0], "the best")
     }
 
-    /// What a reader must know: steel that is none, and what cannot be reached.
     fn remarks(&self) -> Vec<String> {
-        let mut said: Vec<String> = unlike_steel(&self.wire()).into_iter().collect();
-        let rows = self.found.question.rows.iter().zip(&self.found.values);
-        let off: Vec<String> = rows
-            .filter(|(row, value)| row.residual(**value).abs() > 3.0)
-            .map(|(row, value)| {
-                format!(
-                    "{}: nearest {}, wanted {}",
-                    row.label,
-                    shown(row.measure, *value),
-                    shown(row.measure, row.target)
-                )
-            })
-            .collect();
-        if !off.is_empty() {
-            said.push(format!(
-                "no law of the family reaches all of the data; the nearest is given ({}); see whether force, deflection, panel and units are those of one mesh, or start --from another net",
-                off.join("; ")
-            ));
-        }
-        let weight = |start| -> f64 {
-            let laws = self.found.laws.iter().filter(|law| law.start == start);
-            laws.map(|law| law.weight).sum()
-        };
-        if self.data.first.is_none() && weight(0) > 0.05 && weight(1) > 0.05 {
-            said.push("the data do not tell whether the twist or the wire is the weaker one; which bond broke first in the test would (--breaks)".into());
-        }
-        said
+        remarks(&self.data, &self.found)
     }
 
     fn text(&self) -> String {
@@ -351,7 +322,7 @@ impl Told<'_> {
             let weight: f64 =
                 f.laws.iter().filter(|law| law.start == *number).map(|law| law.weight).sum();
             line(
-                self.names[*number],
+                START_WORDS[*number],
                 &format!(
                     "best law: sum of squares {}, {} of the weight, {} simulations",
                     significant(fit.score, 3),
@@ -430,7 +401,7 @@ impl Told<'_> {
         let laws = f.laws.iter().map(|law| {
             let values = law.law.values().map(Value::Exact).into_iter();
             Object::new()
-                .with("start", self.names[law.start])
+                .with("start", START_WORDS[law.start])
                 .with("parameters", values.collect::<Value>())
                 .with("sum_of_squares", Value::Exact(law.score))
                 .with("weight", Value::Exact(law.weight))
@@ -447,6 +418,50 @@ impl Told<'_> {
             .with("laws", laws.collect::<Value>())
             .with("remarks", self.remarks().into_iter().map(Value::from).collect::<Value>())
     }
+}
+
+/// A law as wires, and which of them it is.
+pub(in crate::cli::lab) fn wire(found: &Identified, law: &EnsembleLaw, which: &str) -> WireData {
+    let rows: Vec<&str> = found.question.rows.iter().map(|r| r.label.as_str()).collect();
+    let source = format!(
+        "Made by meshcast from a mesh's own tests: {which} of {} laws, in the valley of the {}; fitted to {}; the prior is steel wire by EN 10223-3, 350 to 550 MPa, and 8 to 35 %",
+        found.laws.len(),
+        START_WORDS[law.start],
+        rows.join(", ")
+    );
+    law.law.wire(found.question.net, source)
+}
+
+/// What a reader must know: steel that is none, and what cannot be reached.
+pub(in crate::cli::lab) fn remarks(data: &MeshData, found: &Identified) -> Vec<String> {
+    let mut said: Vec<String> =
+        unlike_steel(&wire(found, &found.laws[0], "")).into_iter().collect();
+    let rows = found.question.rows.iter().zip(&found.values);
+    let off: Vec<String> = rows
+        .filter(|(row, value)| row.residual(**value).abs() > 3.0)
+        .map(|(row, value)| {
+            format!(
+                "{}: nearest {}, wanted {}",
+                row.label,
+                shown(row.measure, *value),
+                shown(row.measure, row.target)
+            )
+        })
+        .collect();
+    if !off.is_empty() {
+        said.push(format!(
+                "no law of the family reaches all of the data; the nearest is given ({}); see whether force, deflection, panel and units are those of one mesh, or start --from another net",
+                off.join("; ")
+            ));
+    }
+    let weight = |start| -> f64 {
+        let laws = found.laws.iter().filter(|law| law.start == start);
+        laws.map(|law| law.weight).sum()
+    };
+    if data.first.is_none() && weight(0) > 0.05 && weight(1) > 0.05 {
+        said.push("the data do not tell whether the twist or the wire is the weaker one; which bond broke first in the test would (--breaks)".into());
+    }
+    said
 }
 
 fn percent(part: f64) -> String {

@@ -1,7 +1,7 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test; with
 //! `--reference-fit` the wires of the reference mesh ([`mod@reference`]).
 
-mod data;
+pub(super) mod data;
 mod reference;
 
 use crate::cli::check::threads;
@@ -71,6 +71,10 @@ pub(crate) struct CalibrateArgs {
     /// How the result is written.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    /// Gives all laws that fit, from a weak and from a strong twist, and what the data hold; so does any flag
+    /// of this group.
+    #[arg(long, help_heading = "More data")]
+    ensemble: bool,
     #[command(flatten)]
     data: data::DataArgs,
 }
@@ -89,7 +93,7 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     if args.reference_fit {
         return reference::run(args);
     }
-    if args.data.given() {
+    if args.ensemble || args.data.given() {
         return data::run(args);
     }
     let start = start(&args.from)?;

@@ -1,0 +1,233 @@
+//! `meshcast adopt`: from a mesh's own tests to forecasts, checks and verdicts of its own.
+
+use super::calibrate::data::{self, DataArgs};
+use super::draw::{DrawFlags, EXPECTED_BREAK};
+use crate::cli::VERSION;
+use crate::cli::output::{CommandEnd, Fault, Output, wrapped};
+use crate::cli::quantity;
+use crate::cli::watch::Watch;
+use crate::lab::adopt::{MeshWords, mesh, method};
+use crate::lab::campaign::CampaignPlan;
+use crate::lab::fit::posterior::IdentifyOptions;
+use crate::layout::{Blocks, Layout, MethodChoice, REFERENCE};
+use crate::mesh::adopted::Adopted;
+use crate::mesh::{MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
+use crate::project::home::typed_path;
+use crate::project::{
+    MeshUse, NamedLayout, Opened, Overwrite, Project, SaveError, load, parse, write,
+};
+use crate::study::clock::wall_seconds;
+use crate::units::{shortest, significant, to_kn};
+use crate::words::Choice;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+const AFTER_HELP: &str = "\
+All laws that fit the tests are sought, a campaign of random layouts is run with the middle one of them, and a
+method is derived from it. Mesh, wires and method are written into the project, so that it needs nothing
+else elsewhere. Where the laws that fit differ by more than 15 %, no verdict is a plain pass.";
+
+/// Adopt a mesh from its tests: forecasts, checks and verdicts of its own, in a project.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct AdoptArgs {
+    /// Project to put it into; made with one layout where there is none.
+    #[arg(value_name = "PROJECT.ron")]
+    project: PathBuf,
+    /// Name of the mesh.
+    #[arg(long, value_name = "NAME")]
+    name: String,
+    /// Force at failure of its punch test.
+    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present = "curve")]
+    force: Option<f64>,
+    /// Deflection at failure of its punch test.
+    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true)]
+    deflection: Option<f64>,
+    /// Side of the test's panel.
+    #[arg(long, value_name = "M", default_value_t = STANDARD_PANEL, value_parser = quantity::length, allow_hyphen_values = true)]
+    panel: f64,
+    /// Diameter of the test's punch.
+    #[arg(long, value_name = "M", default_value_t = STANDARD_PUNCH, value_parser = quantity::length, allow_hyphen_values = true)]
+    punch: f64,
+    /// The values are characteristic ones, not means.
+    #[arg(long)]
+    characteristic: bool,
+    /// The values are made up, to show something.
+    #[arg(long)]
+    example: bool,
+    /// Standard of the test.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    standard: String,
+    /// Where the values stand.
+    #[arg(long, value_name = "TEXT", default_value = "given to meshcast adopt")]
+    source: String,
+    /// Runs of random layouts in the campaign.
+    #[arg(long, value_name = "N", default_value_t = 160, value_parser = clap::value_parser!(u16).range(60..=5000))]
+    runs: u16,
+    #[command(flatten)]
+    draw: DrawFlags,
+    #[command(flatten)]
+    data: DataArgs,
+}
+
+/// Finds, runs, derives, and writes into the project.
+pub(crate) fn run(args: &AdoptArgs) -> CommandEnd {
+    let path = typed_path(&args.project);
+    let id = identifier(&args.name)?;
+    let mut opened = open(&path, &id, &args.name)?;
+    let test = [args.force, args.deflection];
+    let data = args.data.data(test, [args.panel, args.punch], &laws::reference().net)?;
+    let options = IdentifyOptions {
+        seed: args.draw.seed,
+        fidelity: args.draw.fidelity,
+        threads: args.draw.threads(),
+    };
+    let watch = Watch::start();
+    let clock = wall_seconds();
+    let Some(found) = data::laws(&data, &options, &watch)? else { return ended(&watch) };
+    let fitted = wall_seconds() - clock;
+    let wire = data::wire(&found, found.middle(), "the middle one");
+    let plan = CampaignPlan {
+        blocks: Blocks::Repeated,
+        runs: usize::from(args.runs),
+        seed: args.draw.seed,
+        fidelity: args.draw.fidelity,
+        ..CampaignPlan::default()
+    };
+    watch.begin("campaign", 0, 1, EXPECTED_BREAK);
+    let tell = |now| watch.tell(now);
+    let made = method(&id, &wire, &plan, args.draw.threads(), &tell).map_err(Fault::Failure)?;
+    let Some(made) = made else { return ended(&watch) };
+    let ran = wall_seconds() - clock - fitted;
+    watch.finish(&format!("laws {fitted:.1} s, campaign and method {ran:.1} s"));
+    let words = MeshWords {
+        id,
+        name: args.name.trim().to_string(),
+        example: args.example,
+        statistic: if args.characteristic { Statistic::Characteristic } else { Statistic::Mean },
+        standard: args.standard.clone(),
+        source: args.source.clone(),
+    };
+    let notes = data::remarks(&data, &found);
+    let adopted = Arc::new(mesh(words, &data, &found, wire, vec![made]));
+    adopted.check()?;
+    put(&mut opened, &path, &adopted)?;
+    Ok(Output { result: text(&adopted, &path), notes, ..Output::default() })
+}
+
+fn ended(watch: &Watch) -> CommandEnd {
+    watch.finish("nothing is written");
+    Ok(Output { interrupted: true, ..Output::default() })
+}
+
+/// An identifier made of a name: `Acme 6x8, 2.2` becomes `acme-6x8-2.2`.
+fn identifier(name: &str) -> Result<String, Fault> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '.';
+    let parts = name.split(|c| !plain(c)).map(|part| part.trim_matches('.'));
+    let parts: Vec<String> =
+        parts.filter(|part| !part.is_empty()).map(str::to_ascii_lowercase).collect();
+    if parts.is_empty() {
+        return Err(Fault::input("--name: a name needs letters or digits"));
+    }
+    Ok(parts.join("-"))
+}
+
+/// The project, with no mesh of this identifier.
+fn open(path: &Path, id: &str, name: &str) -> Result<Opened, Fault> {
+    let opened = if path.exists() {
+        load(path)?
+    } else {
+        let text = write::new_project(&name.chars().take(60).collect::<String>());
+        parse(&text, "").map_err(|e| Fault::Failure(e.to_string()))?
+    };
+    if opened.project.find_mesh(id).is_some() {
+        return Err(Fault::input(format!(
+            "--name: the project or the catalogue has a mesh {id:?} already; choose another name"
+        )));
+    }
+    Ok(opened)
+}
+
+/// Puts the mesh into the project, with a layout of it where the project is new, and saves.
+fn put(opened: &mut Opened, path: &Path, mesh: &Arc<MeshType>) -> Result<(), Fault> {
+    let Opened { document, project } = opened;
+    let new = document.path().is_none();
+    let held = MeshUse::Inline(mesh.clone());
+    if new {
+        *project = Project {
+            meshes: vec![held],
+            layouts: vec![layout(project, &mesh.id)],
+            ..project.clone()
+        };
+    } else {
+        project.meshes.push(held);
+    }
+    let saved = if new {
+        document.save_as(path, project, Overwrite::No)
+    } else {
+        document.save(project, Overwrite::No)
+    };
+    saved.map(|_| ()).map_err(|e| match e {
+        SaveError::Exists(_) | SaveError::ChangedOnDisk(_) => {
+            Fault::input(format!("{e}; the mesh is not written"))
+        }
+        other => Fault::Failure(other.to_string()),
+    })
+}
+
+/// A first layout: the reference panel, by the mesh's own method.
+fn layout(project: &Project, mesh: &str) -> NamedLayout {
+    let layout = Layout { method: MethodChoice::Derived, blocks: Blocks::Repeated, ..REFERENCE };
+    NamedLayout::new(project.free_name("first layout"), layout, mesh)
+}
+
+fn text(mesh: &MeshType, path: &Path) -> String {
+    let mut lines = Vec::new();
+    let mut line = |head: &str, text: &str| {
+        lines.extend(wrapped(&format!("{head:<12}"), text, 80));
+    };
+    line("adopted", &format!("{} ({}) [meshcast {VERSION}]", mesh.title(), mesh.id));
+    let lab = &mesh.laboratory;
+    let delta = lab.deflection.map_or("not known".into(), |d| format!("{} m", significant(d, 3)));
+    line(
+        "test",
+        &format!(
+            "{} kN at {delta} ({}); panel {} m, punch {} m",
+            significant(to_kn(lab.force), 4),
+            lab.statistic.word(),
+            shortest(lab.panel),
+            shortest(lab.punch)
+        ),
+    );
+    if let Some(Adopted { quality, low, middle, high, methods }) = &mesh.adopted {
+        let kn = |v: &f64| significant(to_kn(*v), 3);
+        let range = format!(
+            "{}; anchored reference (d 0.32, L 3, D 1 m) {} kN, 5 to 95 % of the laws that fit: {} to {}",
+            quality.word(),
+            kn(middle),
+            kn(low),
+            kn(high)
+        );
+        line("quality", &range);
+        for method in methods.iter().map(|kept| kept.0) {
+            let a = &method.alpha;
+            let said = format!(
+                "{}: alpha_F {} +- {}, alpha_delta {} +- {}; {} runs, {}",
+                method.name,
+                significant(a.force, 3),
+                significant(a.force_error, 1),
+                significant(a.deflection, 3),
+                significant(a.deflection_error, 1),
+                method.runs.used,
+                method.fidelity
+            );
+            line("method", &said);
+        }
+    }
+    line(
+        "written",
+        &format!("{}; a layout takes it with mesh: {:?}, method: derived", path.display(), mesh.id),
+    );
+    lines.join("\n") + "\n"
+}
