@@ -139,3 +139,36 @@ impl Adopted {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::canned;
+
+    #[test]
+    fn a_method_comes_back_from_its_text_and_is_kept_once() {
+        let mut method = canned::method();
+        // A force that kN and back moves by a bit.
+        method.laboratory.force = 73_299.999_999_999_99;
+        let kept = KeptMethod::keep(method);
+        let back: KeptMethod = ron::from_str(&ron::ser::to_string(&kept).unwrap()).unwrap();
+        assert!(std::ptr::eq(kept.0, back.0));
+        assert!(ron::from_str::<KeptMethod>("\"(format: 1)\"").is_err());
+    }
+
+    #[test]
+    fn the_range_is_a_variation_and_wide_from_fifteen_per_cent_on() {
+        let of = |low: f64, high: f64| Adopted {
+            quality: AdoptedQuality::ForceOnly,
+            low: 1000.0 * low,
+            middle: 20_000.0,
+            high: 1000.0 * high,
+            methods: vec![KeptMethod::keep(canned::method())],
+        };
+        assert!(!of(17.1, 22.9).wide() && of(16.9, 20.0).wide() && of(20.0, 23.1).wide());
+        // By hand: ln(24.2/20)/(2 x 1.645) = 0.190620/3.29 = 0.05794.
+        assert!((of(20.0, 24.2).variation() - 0.057_94).abs() < 1e-5);
+        assert!(of(17.1, 22.9).problem().is_none() && of(21.0, 22.9).problem().is_some());
+        assert!(Adopted { methods: vec![], ..of(17.1, 22.9) }.problem().is_some());
+    }
+}

@@ -1,4 +1,4 @@
-use super::judge::{ANCHOR, Panel, characteristic_part, deflection};
+use super::judge::{ANCHOR, Panel, characteristic_part, deflection, with_laws};
 use super::*;
 use crate::case::Input;
 use crate::case::{Question, example};
@@ -251,4 +251,46 @@ fn a_wider_spacing_is_never_the_cure() {
         judged(&case.with(found.input, found.value), Basis::Mean).finding(),
         Finding::Passes
     );
+}
+
+#[test]
+fn a_mesh_whose_laws_differ_widely_never_passes_plainly_and_has_less_to_rely_on() {
+    use crate::layout::MethodChoice;
+    use crate::mesh::adopted::{Adopted, AdoptedQuality, KeptMethod};
+    let with_range = |low: f64, high: f64| {
+        let mut case = job(2.5);
+        case.question.force = Some(1000.0);
+        case.question.deflection = None;
+        case.layout.method = MethodChoice::Derived;
+        let mut mesh = (*case.mesh).clone();
+        mesh.adopted = Some(Adopted {
+            quality: AdoptedQuality::OneTestAndPrior,
+            low: 1000.0 * low,
+            middle: 20_000.0,
+            high: 1000.0 * high,
+            methods: vec![KeptMethod::keep(crate::method::canned::method())],
+        });
+        case.mesh = mesh.into();
+        case
+    };
+    let (sure, unsure) = (with_range(20.0, 20.0), with_range(16.0, 25.0));
+    let basis = Basis::Characteristic;
+    let (plain, doubtful) = (judged(&sure, basis), judged(&unsure, basis));
+    assert_eq!(plain.finding(), Finding::Passes);
+    assert_eq!(doubtful.finding(), Finding::Doubtful);
+    assert_eq!(doubtful.remarks, [VerdictRemark::WideLaws]);
+    // The mean is the same; the characteristic value lacks the range: by hand, the canned method scatters 0.0625
+    // at the anchors and ln(25/16)/3.29 = 0.13565 comes to it, together 0.14936: 1 - 1.645 x 0.14936 = 0.75430.
+    let capacity = |v: &Verdict| v.checks[0].capacity.map(Option::unwrap);
+    let ([mean, low], [same, lower]) = (capacity(&plain), capacity(&doubtful));
+    assert_eq!(mean, same);
+    assert!((low / mean - (1.0 - 1.645 * 0.0625)).abs() < 1e-9, "{}", low / mean);
+    assert!((lower / mean - 0.754_30).abs() < 1e-4, "{}", lower / mean);
+    // Likewise a check's: 10 % below its mean at 5 % is 0.06079, with the range 0.14865.
+    let check = check(20.0, [18.0, 22.0], 8);
+    let both = [&sure, &unsure].map(|case| with_laws(case, &Panel::Check(&check)));
+    assert_eq!(both[0][0], both[1][0]);
+    let scatter = (1.0 - both[0][1].unwrap() / 20_000.0) / 1.645;
+    let wider = 1.0 - 1.645 * scatter.hypot(0.135_65);
+    assert!((both[1][1].unwrap() / 20_000.0 - wider).abs() < 1e-4, "{both:?}");
 }
