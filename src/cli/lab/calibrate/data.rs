@@ -253,22 +253,25 @@ pub(in crate::cli::lab) fn laws(
     }
 }
 
-/// Counts the simulations of scenes by their progress.
+/// Counts the simulations of scenes by their progress: each has a first run, whose punch starts anew. The
+/// others may speak at the same time and from other threads.
 #[derive(Debug, Default)]
 struct Trials {
     words: String,
-    done: usize,
+    travel: f64,
     trials: usize,
 }
 
 impl Trials {
     /// The number of the simulation that tells this, from 1.
     fn at(&mut self, scene: &FitScene, now: EnsembleProgress) -> usize {
-        if self.words != scene.words || now.done == 0 && self.done > 0 {
-            self.words.clone_from(&scene.words);
-            self.trials += 1;
+        if now.run == 0 {
+            if self.words != scene.words || now.inner.deflection < self.travel {
+                self.words.clone_from(&scene.words);
+                self.trials += 1;
+            }
+            self.travel = now.inner.deflection;
         }
-        self.done = now.done;
         self.trials.max(1)
     }
 }
@@ -476,5 +479,40 @@ fn shown(measure: Measure, value: f64) -> String {
             significant(to_kn(value), 4)
         }
         _ => significant(value, 4),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dem::RunProgress;
+    use crate::lab::fit::rows::SceneKind;
+
+    #[test]
+    fn runs_that_speak_in_turn_are_one_simulation() {
+        let scene = |words: &str| FitScene {
+            words: words.into(),
+            kind: SceneKind::Tensile(1.0, 1.0, Pull::Along),
+            runs: 2,
+        };
+        let (one, other) = (scene("punch test 1"), scene("pull along"));
+        let mut trials = Trials::default();
+        let mut said = |scene: &FitScene, run: usize, deflection: f64| {
+            let inner = RunProgress {
+                deflection,
+                force: 0.0,
+                utilisation: 0.0,
+                limit: 1.0,
+                steps: 0,
+                broken: false,
+            };
+            trials.at(scene, EnsembleProgress { done: run, planned: 2, run, inner })
+        };
+        let first =
+            [said(&one, 0, 0.1), said(&one, 1, 0.1), said(&one, 0, 0.2), said(&one, 1, 0.3)];
+        assert_eq!(first, [1; 4]);
+        // The punch of the next law starts anew; another scene is another simulation.
+        assert_eq!([said(&one, 0, 0.1), said(&one, 1, 0.1)], [2, 2]);
+        assert_eq!([said(&other, 0, 0.2), said(&one, 0, 0.3)], [3, 4]);
     }
 }
