@@ -121,13 +121,13 @@ pub(crate) fn beside(other: Strength, used: Strength, unit: LengthUnit) -> Strin
     format!("{}; the method in use: {}", values(other, unit), apart(other, used))
 }
 
-/// The same for a narrow panel.
+/// The same for a narrow panel, with the difference of the force alone: `paper 27.1 kN 0.635 m (+2 %)`.
 pub(crate) fn published_short(other: Strength, used: Strength, unit: LengthUnit) -> String {
     format!(
-        "paper {} {} ({})",
+        "paper {} {} ({:+.0} %)",
         force_text(other.force),
         maybe_length_text(other.deflection, unit),
-        apart(other, used)
+        100.0 * (used.force / other.force - 1.0)
     )
 }
 

@@ -109,10 +109,6 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         ),
         theme.forecast,
     )];
-    if let Some(published) = field.published {
-        lines.push((say::published_short(published, field.values, app.units()), theme.text));
-        lines.push((format!("90 %: {}", say::band(field)), theme.text));
-    }
     lines.extend(verdict_line(app, theme));
     let (checks, beside) = checked_lines(app, theme);
     let dem = check::lines(app, theme);
@@ -120,6 +116,11 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     let (dem_first, dem_rest) = dem.split_at(dem.len().min(2));
     lines.extend_from_slice(dem_first);
     lines.extend(checks);
+    // What else there is of the force comes behind whether it is enough.
+    if let Some(published) = field.published {
+        lines.push((say::published_short(published, field.values, app.units()), theme.text));
+        lines.push((format!("90 %: {}", say::band(field)), theme.text));
+    }
     lines.extend(beside);
     lines.extend_from_slice(dem_rest);
     lines.extend(mobilised(app, theme));

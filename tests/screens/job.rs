@@ -9,7 +9,7 @@ use meshcast::app::message::{Command, Message};
 use meshcast::job::News;
 use meshcast::job::news::{StepProgress, What};
 use meshcast::job::order::Task;
-use meshcast::layout::{Layout, REFERENCE};
+use meshcast::layout::{Layout, MethodChoice, REFERENCE};
 use meshcast::project::{NamedLayout, Project};
 use meshcast::study::verdict::Basis;
 
@@ -72,6 +72,26 @@ fn the_job_at_every_size() {
     let answer = text(&small);
     assert!(answer.contains("x FAILS: deflection 101 %"), "{answer}");
     insta::assert_snapshot!("job_small", answer);
+}
+
+/// What the derived method says beside its value stood before the verdict once, which was pushed off.
+#[test]
+fn the_verdict_of_the_derived_method_is_seen_at_every_size() {
+    let mut project = job();
+    for layout in &mut project.layouts {
+        layout.layout.method = MethodChoice::Derived;
+    }
+    let mut small = start(project.clone(), (40, 12), MONO);
+    press(&mut small, "<Tab><Tab><Tab><Tab>");
+    assert!(text(&small).contains("x FAILS: deflection"), "{}", text(&small));
+    let mut app = start(project, (80, 24), MONO);
+    press(&mut app, "<Tab><Tab><Tab><Tab>");
+    let answer = text(&app);
+    assert!(answer.contains("x FAILS: deflection"), "{answer}");
+    // The paper's value with its difference, whole, and the band.
+    let paper = answer.lines().find_map(|line| line.split("paper ").nth(1)).unwrap();
+    assert!(paper.contains(" kN ") && paper.contains(" %)"), "{paper}");
+    assert!(answer.contains("90 %: "), "{answer}");
 }
 
 #[test]
