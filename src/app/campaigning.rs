@@ -6,7 +6,7 @@ use super::message::Command;
 use crate::dem::Fidelity;
 use crate::job::method::MethodJob;
 use crate::job::order::Task;
-use crate::lab::campaign::CampaignPlan;
+use crate::lab::campaign::{CampaignPlan, FEWEST_FOR_METHOD};
 use crate::layout::Blocks;
 use crate::project::home::typed_path;
 use crate::words::Choice;
@@ -44,8 +44,10 @@ fn asked(text: &str) -> Result<(CampaignPlan, &str), String> {
     let mut rest = text;
     while let Some((word, after)) = rest.split_once(char::is_whitespace) {
         if let Ok(runs) = word.parse::<usize>() {
-            if !(1..=MOST_RUNS).contains(&runs) {
-                return Err(format!("runs: 1 to {MOST_RUNS}"));
+            if !(FEWEST_FOR_METHOD..=MOST_RUNS).contains(&runs) {
+                return Err(format!(
+                    "runs: {FEWEST_FOR_METHOD} to {MOST_RUNS}; fewer give no method"
+                ));
             }
             plan.runs = runs;
         } else if let Some(fidelity) = Fidelity::from_word(word) {
@@ -76,7 +78,7 @@ mod tests {
         assert_eq!((plan.runs, plan.blocks, folder), (64, Blocks::Mirrored, "my runs"));
         assert_eq!(plan.fidelity, Fidelity::Standard);
         assert_eq!(asked("runs").unwrap(), (CampaignPlan::default(), "runs"));
-        for wrong in ["", "0 x", "worst x"] {
+        for wrong in ["", "0 x", "40 x", "worst x"] {
             assert!(asked(wrong).is_err(), "{wrong}");
         }
     }

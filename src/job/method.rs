@@ -6,7 +6,7 @@ use super::news::{StepProgress, What};
 use super::pace::{Pace, QUIET};
 use crate::dem::Flow;
 use crate::lab::campaign::kept::{Kept, KeptFault};
-use crate::lab::campaign::{CampaignPlan, Header};
+use crate::lab::campaign::{CampaignPlan, EXPECTED_BREAK, Header};
 use crate::lab::derive::derive;
 use crate::mesh::MeshType;
 use crate::project::{self, SaveError};
@@ -14,9 +14,6 @@ use crate::study::ensemble::EnsembleProgress;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
-
-/// Deflection at which runs are expected to break until one has, m.
-const EXPECTED_BREAK: f64 = 0.6;
 
 /// Name of the method's file in the campaign's folder.
 pub(crate) const METHOD: &str = "method.ron";
@@ -78,7 +75,8 @@ impl MethodJob {
             Ok(()) => {}
             // The same campaign gives the same method; another text is somebody's own.
             Err(SaveError::Exists(path)) => {
-                if std::fs::read_to_string(&path).ok().as_deref() != Some(&text) {
+                let there = project::load_table(&path, project::LARGEST_FILE);
+                if !there.is_ok_and(|bytes| bytes == text.as_bytes()) {
                     return Err(format!("{} is another one and stays", path.display()));
                 }
             }

@@ -1,13 +1,13 @@
 //! `meshcast adopt`: from a mesh's own tests to forecasts, checks and verdicts of its own.
 
 use super::calibrate::data::{self, DataArgs};
-use super::draw::{DrawFlags, EXPECTED_BREAK};
+use super::draw::DrawFlags;
 use crate::cli::VERSION;
 use crate::cli::output::{CommandEnd, Fault, Output, wrapped};
 use crate::cli::quantity;
 use crate::cli::watch::Watch;
 use crate::lab::adopt::{MeshWords, mesh, method};
-use crate::lab::campaign::CampaignPlan;
+use crate::lab::campaign::{CampaignPlan, EXPECTED_BREAK, FEWEST_FOR_METHOD};
 use crate::lab::fit::posterior::IdentifyOptions;
 use crate::layout::{Blocks, Layout, MethodChoice, REFERENCE};
 use crate::mesh::adopted::Adopted;
@@ -63,7 +63,7 @@ pub(crate) struct AdoptArgs {
     #[arg(long, value_name = "TEXT", default_value = "given to meshcast adopt")]
     source: String,
     /// Runs of random layouts in the campaign.
-    #[arg(long, value_name = "N", default_value_t = 160, value_parser = clap::value_parser!(u16).range(60..=5000))]
+    #[arg(long, value_name = "N", default_value_t = 160, value_parser = clap::value_parser!(u16).range(FEWEST_FOR_METHOD as i64..=5000))]
     runs: u16,
     #[command(flatten)]
     draw: DrawFlags,

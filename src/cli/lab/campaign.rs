@@ -1,6 +1,6 @@
 //! `meshcast campaign`: many single runs of random layouts, kept as they are made.
 
-use super::draw::{DrawFlags, EXPECTED_BREAK, WidenFlag};
+use super::draw::{DrawFlags, WidenFlag};
 use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Output};
 use crate::cli::watch::Watch;
@@ -8,7 +8,7 @@ use crate::cli::wire::Wires;
 use crate::cli::{case, quantity};
 use crate::lab::campaign::kept::{Kept, KeptFault};
 use crate::lab::campaign::row::{Kind, Row, RowEnd};
-use crate::lab::campaign::{CampaignPlan, Header, PAPER_RANGES};
+use crate::lab::campaign::{CampaignPlan, EXPECTED_BREAK, Header, PAPER_RANGES};
 use crate::layout::Blocks;
 use crate::mesh::{REFERENCE_ID, catalogue};
 use crate::project::home::typed_path;

@@ -9,9 +9,6 @@ use crate::words::Choice;
 use clap::Args;
 use std::num::NonZeroUsize;
 
-/// Deflection at which runs are expected to break until one has, m.
-pub(super) const EXPECTED_BREAK: f64 = 0.6;
-
 /// How runs are drawn and computed.
 #[derive(Debug, Args)]
 pub(crate) struct DrawFlags {

@@ -1,11 +1,12 @@
 //! `meshcast held-out`: forecasts against checks of layouts that no fit has seen.
 
-use super::draw::{EXPECTED_BREAK, WidenFlag};
+use super::draw::WidenFlag;
 use crate::cli::check::threads;
 use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Output};
 use crate::cli::watch::Watch;
 use crate::dem::{Fidelity, Flow};
+use crate::lab::campaign::EXPECTED_BREAK;
 use crate::lab::held_out::{AIMS, HeldOutPlan, HeldOutTable, Points, held_out};
 use crate::layout::Blocks;
 use crate::mesh::catalogue;

@@ -36,6 +36,12 @@ const BESIDE: f64 = 0.1;
 /// The fewest of either.
 const FEWEST_BESIDE: usize = 2;
 
+/// Fewest runs of random layouts that a method can be derived from, with the default share of eccentric ones.
+pub(crate) const FEWEST_FOR_METHOD: usize = 60;
+
+/// Deflection at which runs are expected to break until one has, m.
+pub(crate) const EXPECTED_BREAK: f64 = 0.6;
+
 /// The paper's ranges of d, L and D, m.
 pub(crate) const PAPER_RANGES: [[f64; 2]; 3] =
     [[PLATE.min, PLATE.max], [SPACING.min, SPACING.max], [PUNCH.min, PUNCH.max]];

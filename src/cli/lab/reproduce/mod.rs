@@ -2,10 +2,11 @@
 
 mod pictures;
 
-use super::draw::{DrawFlags, EXPECTED_BREAK};
+use super::draw::DrawFlags;
 use crate::cli::VERSION;
 use crate::cli::output::{CommandEnd, Fault, Output};
 use crate::cli::watch::Watch;
+use crate::lab::campaign::EXPECTED_BREAK;
 use crate::lab::reproduce::{ReproducePlan, Reproduced, SeriesPoint, reproduce};
 use crate::mesh::catalogue;
 use crate::project::home::typed_path;
