@@ -41,7 +41,7 @@ impl App {
     pub(super) fn next_fidelity(&mut self) -> Vec<Command> {
         let word = self.settings().neighbour(SettingItem::Fidelity, true);
         let commands = self.choose(SettingItem::Fidelity, word);
-        let aim = significant(100.0 * self.settings().fidelity.aim(), 1);
+        let aim = significant(100.0 * self.settings().fidelity.fidelity().aim(), 1);
         self.inform(format!("checks are {word}: errors within {aim} %"));
         commands
     }

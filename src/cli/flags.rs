@@ -3,7 +3,7 @@
 use super::choice::{explained, one_of};
 use crate::app::look::{ColorChoice, Glyphs};
 use crate::app::settings::{SettingItem, Settings};
-use crate::dem::Fidelity;
+use crate::study::exactness::Exactness;
 use crate::units::LengthUnit;
 use crate::words::Choice;
 use clap::Args;
@@ -29,7 +29,7 @@ pub(crate) struct UiFlags {
 pub(crate) struct StartFlags {
     /// How exactly checks compute in the program.
     #[arg(long, value_name = "FIDELITY", value_parser = explained(FIDELITIES), help_heading = "Program")]
-    pub(crate) fidelity: Option<Fidelity>,
+    pub(crate) fidelity: Option<Exactness>,
     /// Runs of a check in the program: auto or a number.
     #[arg(long, value_name = "N", value_parser = runs, help_heading = "Program")]
     pub(crate) runs: Option<Runs>,
@@ -60,10 +60,11 @@ fn runs(text: &str) -> Result<Runs, String> {
 }
 
 /// What each fidelity means; the reference is for comparing the others with it.
-const FIDELITIES: &[(Fidelity, &str)] = &[
-    (Fidelity::Quick, "Errors within 3 %"),
-    (Fidelity::Standard, "Errors within 1 %"),
-    (Fidelity::Fine, "Errors within 0.2 %"),
+const FIDELITIES: &[(Exactness, &str)] = &[
+    (Exactness::Auto, "Quick runs with their bias taken out where that pays, else standard ones"),
+    (Exactness::Quick, "Errors within 3 %"),
+    (Exactness::Standard, "Errors within 1 %"),
+    (Exactness::Fine, "Errors within 0.2 %"),
 ];
 
 /// What each choice of colours means.

@@ -81,10 +81,10 @@ impl Campaign {
 mod tests {
     use super::super::order::{Order, Task};
     use super::*;
-    use crate::dem::Fidelity;
     use crate::forecast::design::Question;
     use crate::layout::{BranchRule, Layout, REFERENCE};
     use crate::mesh::catalogue;
+    use crate::study::exactness::Exactness;
 
     fn order() -> Order {
         let case = |spacing| Case {
@@ -93,7 +93,7 @@ mod tests {
             rule: BranchRule::Published,
             question: Question::default(),
         };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(2), seed: 0 };
         let cases = vec![case(1.3), case(0.35), case(1.4)];
         Order { number: 5, task: Task::Campaign(Campaign { cases, wanted }) }
     }

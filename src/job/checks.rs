@@ -198,8 +198,8 @@ mod tests {
     use super::super::order::{Order, Task};
     use super::*;
     use crate::case::example;
-    use crate::dem::Fidelity;
     use crate::layout::{Layout, REFERENCE};
+    use crate::study::exactness::Exactness;
 
     fn order(live: bool, spacings: &[f64]) -> Order {
         let target = |(uid, spacing): (usize, &f64)| CheckTarget {
@@ -207,7 +207,7 @@ mod tests {
             case: example(Layout { spacing: *spacing, punch: 0.5, ..REFERENCE }, None),
         };
         let targets = spacings.iter().enumerate().map(target).collect();
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 0 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(3), seed: 0 };
         Order { number: 7, task: Task::Checks(Checks { targets, wanted, live }) }
     }
 

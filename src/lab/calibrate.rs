@@ -169,6 +169,7 @@ pub fn fit(
         runs: Some(options.runs),
         seed: options.seed,
         phase: None,
+        auto: false,
         threads: options.threads,
     };
     let mut newton = Newton::new();

@@ -148,7 +148,7 @@ fn layout(
             .map_err(|why: NoField| why.short().to_string())
     };
     let [derived, published] = [by(MethodChoice::Derived)?, by(MethodChoice::Published)?];
-    let wanted = Wanted { fidelity: plan.fidelity, runs: None, seed };
+    let wanted = Wanted { fidelity: plan.fidelity.into(), runs: None, seed };
     let made = make(layout, mesh, &wanted, plan.threads, tell).map_err(|e| summary(&e))?.result;
     if !made.broke() {
         return Err("no run broke a wire".into());

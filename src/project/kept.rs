@@ -5,11 +5,11 @@
 use super::error::Found;
 use super::write::{self, Unwritable};
 use crate::curve::{Curve, Point};
-use crate::dem::Fidelity;
 use crate::dem::outcome::Quality;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Problem;
 use crate::study::ensemble::{MOST, Spread};
+use crate::study::exactness::Exactness;
 use crate::study::remark::CheckFlag;
 use crate::study::result::{
     CheckResult, FieldFigures, FirstBreak, Revisions, Sampled, Wanted, mean, rounded,
@@ -30,7 +30,7 @@ pub(super) struct Kept {
     /// Revisions of solver and sampling, and fingerprint of all inputs.
     by: String,
     inputs: String,
-    fidelity: Fidelity,
+    fidelity: Exactness,
     /// Runs asked for, 0 for as many as needed.
     asked: usize,
     seed: u64,
@@ -293,7 +293,7 @@ mod tests {
     #[test]
     fn a_result_comes_back_to_the_last_bit_and_is_small() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(2), seed: 3 };
         let made = make(&layout, &catalogue::reference(), &wanted, 1, &|_| Flow::Continue).unwrap();
         let text = write(&made.result, "a").unwrap();
         assert!(!text.contains('\n') && text.len() < 3_000, "{} bytes: {text}", text.len());
@@ -303,7 +303,7 @@ mod tests {
     #[test]
     fn a_damaged_one_is_refused_with_the_way_out() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: 3 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(1), seed: 3 };
         let mesh = catalogue::reference();
         let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
         let text = write(&made.result, "a").unwrap();
@@ -326,7 +326,7 @@ mod tests {
     #[test]
     fn what_may_be_left_out_is_kept_as_it_is() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: u64::MAX };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(1), seed: u64::MAX };
         let mesh = catalogue::reference();
         let mut made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
         made.result.sampled = Sampled::default();
@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn a_result_that_could_not_be_read_back_is_not_written() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(1), seed: 3 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(1), seed: 3 };
         let mesh = catalogue::reference();
         let mut result = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap().result;
         result.curve.deflection[1] = result.curve.deflection[0];

@@ -1,6 +1,7 @@
 //! A layout's blocks simulated as they may stand: repeated, mirrored, or both, and the lower one taken.
 
 use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run};
+use super::paired;
 use super::remark::CheckFlag;
 use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::layout::{Blocks, Layout};
@@ -91,7 +92,7 @@ pub(crate) fn run(
             })
         };
         let done = |k: usize, run: &Run| finished(before + k, run);
-        let ensemble = ensemble::run_watched(&spec, controls, plan, &tell, &done)?;
+        let ensemble = paired::run_watched(&spec, controls, plan, &tell, &done)?;
         let short = ensemble.partial();
         made.push(Stood { arrangement, unsettled: None, ensemble });
         if short {
@@ -144,7 +145,7 @@ fn single(
         }
         before = Some((n, now));
     }
-    let ensemble = ensemble::run_watched(&in_field(cells), controls, plan, progress, finished)?;
+    let ensemble = paired::run_watched(&in_field(cells), controls, plan, progress, finished)?;
     Ok(Stood { arrangement: Arrangement::Single(cells), unsettled, ensemble })
 }
 

@@ -5,6 +5,7 @@
 //! seed hash(seed, k) and a place of its own, so it is the same whatever the number of threads; and more
 //! runs are made in whole rounds, so the answer is the same too.
 
+use super::bias::Bias;
 use super::clock;
 use super::remark::{CheckFlag, CheckRemark, Facts};
 pub(crate) use super::sampling::plan::{LEAST, MOST, Plan, TARGET};
@@ -67,6 +68,8 @@ pub struct Ensemble {
     pub(crate) slipped: usize,
     /// What it tells of itself.
     pub(crate) flags: Vec<CheckFlag>,
+    /// What was taken out of quick members, where they are.
+    pub(crate) bias: Option<Bias>,
     /// The two places of the bifurcation probe, N, where it was made.
     pub(crate) probe: Option<bifurcation::Probe>,
 }
@@ -193,7 +196,7 @@ pub(crate) fn run_watched(
 }
 
 /// One run, timed.
-fn single(
+pub(super) fn single(
     spec: &SceneSpec,
     controls: &Controls,
     Member { seed, phase, pattern }: Member,
@@ -248,6 +251,7 @@ pub(crate) fn summary(runs: Vec<Run>, sample: Sample) -> Ensemble {
         k75: weighted_mean(&sample, &stiff, &|run| run.outcome.k75),
         slipped: counted.iter().filter(|run| run.outcome.stop == Stop::Slipped).count(),
         flags,
+        bias: None,
         probe: None,
         runs,
         sample,

@@ -1,6 +1,7 @@
 //! Which inputs an ensemble was made from.
 
 use super::ensemble::Plan;
+use super::exactness::Exactness;
 use crate::dem::{Controls, SceneSpec, Test};
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::layout::{Blocks, PunchShape, Twists};
@@ -41,7 +42,7 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         }
     }
     print
-        .text(controls.fidelity.word())
+        .text(if plan.auto { Exactness::Auto.word() } else { controls.fidelity.word() })
         .number(controls.step_factor)
         .optional(controls.speed)
         .optional(controls.damping)

@@ -13,19 +13,24 @@
 //! - [`ensemble`]: the same scene over alignments and seeds, for mean and band; [`sampling`]: where its
 //!   runs stand, and what that makes of mean and error; [`inputs`]: the fingerprint of what one was made
 //!   from.
+//! - [`exactness`]: how exactly the runs of an ensemble compute.
+//! - [`paired`]: quick runs with their [`bias`] taken out, for ensembles that choose their fidelity.
 //! - [`blocks`]: the ensembles of the arrangements in which a layout's blocks may stand.
 //! - [`remark`]: what a check has to say of itself.
 //! - [`result`]: what a check leaves behind, and how one is made of a layout.
 //! - [`checks`]: many cases checked with the same seeds, for [`sensitivity::dem`], [`sweep::dem`] and
 //!   comparison.
 
+pub(crate) mod bias;
 pub(crate) mod blocks;
 pub mod checks;
 pub mod clock;
 pub(crate) mod compare;
 pub(crate) mod ensemble;
+pub mod exactness;
 pub(crate) mod inputs;
 pub mod mend;
+pub(crate) mod paired;
 pub mod remark;
 pub mod result;
 pub(crate) mod sampling;

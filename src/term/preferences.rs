@@ -78,20 +78,20 @@ pub(super) fn keep(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::Fidelity;
+    use crate::study::exactness::Exactness;
     use std::fs;
 
     #[test]
     fn flags_stand_above_the_file_and_the_file_above_defaults() {
         let dir = tempfile::tempdir().unwrap();
         let home = Home::at(Some(dir.path().to_path_buf()));
-        let settings = Settings { fidelity: Fidelity::Fine, live: true, ..Settings::default() };
+        let settings = Settings { fidelity: Exactness::Fine, live: true, ..Settings::default() };
         assert_eq!(keep(&home, SettingItem::Live, &settings), Ok(None));
         let flags = vec![(SettingItem::Fidelity, "quick".to_string())];
         let (found, note) = preferences(&home, &Surroundings::default(), flags);
         assert_eq!(note, None);
         assert_eq!(found.kept, settings);
-        assert_eq!(found.effective().fidelity, Fidelity::Quick);
+        assert_eq!(found.effective().fidelity, Exactness::Quick);
         assert!(found.effective().live);
         assert!(found.tour);
         assert!(!preferences(&Home::at(None), &Surroundings::default(), Vec::new()).0.tour);
@@ -104,7 +104,7 @@ mod tests {
         let file = home.settings_file().unwrap();
         fs::write(&file, "(\n    fidelity: fast,\n)\n").unwrap();
         let (found, note) = preferences(&home, &Surroundings::default(), Vec::new());
-        let said = "settings.ron line 2, fidelity: fast is none of quick, standard, fine; \
+        let said = "settings.ron line 2, fidelity: fast is none of auto, quick, standard, fine; \
                     defaults hold";
         assert_eq!(note.as_deref(), Some(said));
         assert!(found.trouble.is_some_and(|t| t.contains("line 2, column 15")));

@@ -1,10 +1,11 @@
 //! Kept checks in what is exported: the same numbers, how to make them again, and whether they are stale.
 
-use meshcast::dem::{Fidelity, Flow};
+use meshcast::dem::Flow;
 use meshcast::export::{ExportKind, ReportSource};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::{NamedLayout, Project};
+use meshcast::study::exactness::Exactness;
 use meshcast::study::result::Wanted;
 use meshcast::study::result::make::make;
 use meshcast::units::{LengthUnit, significant, to_kn};
@@ -19,7 +20,7 @@ fn checked() -> Project {
         NamedLayout::new("two", layout, REFERENCE_ID),
     ];
     let mesh = project.mesh(&project.layouts[0]).unwrap();
-    let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 5 };
+    let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(2), seed: 5 };
     let made = make(&layout, &mesh, &wanted, 1, &|_| Flow::Continue).unwrap();
     project.layouts[0].check = Some(Arc::new(made.result));
     project

@@ -7,10 +7,10 @@ use meshcast::app::App;
 use meshcast::app::message::{Command, Message};
 use meshcast::app::work::shown::Standing;
 use meshcast::curve::Point;
-use meshcast::dem::Fidelity;
 use meshcast::job::news::{Progress, What};
 use meshcast::job::order::Task;
 use meshcast::job::{News, Ticket};
+use meshcast::study::exactness::Exactness;
 use meshcast::study::result::{Revisions, Wanted};
 use std::sync::{Arc, Mutex};
 
@@ -193,7 +193,7 @@ fn screens_with_a_check_that_is_not_plain() {
     for name in ["slipped", "partial", "diverged", "bifurcation"] {
         let mut project = small();
         let mesh = project.mesh(&project.layouts[0]).unwrap();
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: None, seed: 0 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: None, seed: 0 };
         let made = canned::named(name, &project.layouts[0].layout, &mesh, &wanted);
         project.layouts[0].check = Some(made.into());
         let app = start(project, (80, 24), COLOR);

@@ -6,12 +6,12 @@ use meshcast::app::message::{
 };
 use meshcast::app::settings::{Preferences, SettingItem};
 use meshcast::app::{App, Level, Mode, Start};
-use meshcast::dem::Fidelity;
 use meshcast::export::{csv, exported};
 use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::{REFERENCE_ID, Statistic};
 use meshcast::project::schema::{NamedLayout, Project};
 use meshcast::project::{self, Overwrite};
+use meshcast::study::exactness::Exactness;
 use meshcast::units::LengthUnit;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -45,9 +45,9 @@ fn settings_hold_at_once_and_are_kept() {
     let mut app = app();
     let effects = press(&mut app, ":set fidelity quick<Enter>");
     assert!(
-        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Fidelity::Quick)
+        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Exactness::Quick)
     );
-    assert_eq!(app.settings().fidelity, Fidelity::Quick);
+    assert_eq!(app.settings().fidelity, Exactness::Quick);
     press(&mut app, ":set units mm<Enter>");
     assert_eq!(app.units(), LengthUnit::Millimetre);
     press(&mut app, ":set runs=12<Enter>:set live on<Enter>:set glyphs ascii<Enter>");
@@ -70,13 +70,13 @@ fn the_screen_of_settings() {
         ..Preferences::default()
     };
     let mut app = with(preferences);
-    assert_eq!(app.settings().fidelity, Fidelity::Fine);
+    assert_eq!(app.settings().fidelity, Exactness::Fine);
     press(&mut app, ":set<Enter><Right><Down><Down><Down>");
     snapshot("settings", &app);
     // The arrow goes on from what the flag says; the flag is gone then.
     let effects = press(&mut app, "<Left>");
     assert!(
-        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Fidelity::Standard)
+        matches!(&effects[..], [Command::KeepSettings { settings, .. }] if settings.fidelity == Exactness::Standard)
     );
     assert!(!app.preferences().is_flag(SettingItem::Fidelity));
     press(&mut app, "jj<Right>q");

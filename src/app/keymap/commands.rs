@@ -47,7 +47,7 @@ pub const COMMANDS: &[CommandHelp] = &[
         form: "campaign [RUNS] [BLOCKS] FOLDER",
         help: "runs of random layouts with this mesh and the method from them; the same goes on",
     },
-    CommandHelp { form: "fidelity quick|standard|fine", help: "how exactly checks compute" },
+    CommandHelp { form: "fidelity auto|quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {
         form: "runs N|auto",
         help: "runs of a check; auto: until the mean is known to 1 %",
@@ -60,7 +60,7 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "tour", help: "the tour of the first run" },
     CommandHelp { form: "set", help: "the settings, kept for all projects" },
     CommandHelp {
-        form: "set fidelity quick|standard|fine",
+        form: "set fidelity auto|quick|standard|fine",
         help: "one of them at once; so with set units, glyphs, color, runs, live",
     },
 ];

@@ -10,7 +10,7 @@ pub(crate) mod preferences;
 pub use preferences::Preferences;
 
 use super::look::{ColorChoice, Glyphs};
-use crate::dem::Fidelity;
+use crate::study::exactness::Exactness;
 use crate::units::LengthUnit;
 use crate::words::{Choice, words_of};
 
@@ -27,7 +27,7 @@ pub struct Settings {
     /// Colours.
     pub color: ColorChoice,
     /// How exactly a check computes: quick, standard or fine.
-    pub fidelity: Fidelity,
+    pub fidelity: Exactness,
     /// Runs of a check, 1 to [`MOST_RUNS`]; as many as needed where nothing is said.
     pub runs: Option<usize>,
     /// Whether a quick check follows every edit.
@@ -109,7 +109,7 @@ impl SettingItem {
             SettingItem::Units => or("project", words_of(LengthUnit::ALL)),
             SettingItem::Glyphs => or("auto", words_of(Glyphs::ALL)),
             SettingItem::Color => words_of(ColorChoice::ALL),
-            SettingItem::Fidelity => words_of(&Fidelity::USUAL),
+            SettingItem::Fidelity => words_of(&Exactness::USUAL),
             SettingItem::Runs => STEPS.to_vec(),
             SettingItem::Live => vec!["off", "on"],
             SettingItem::Tour => vec!["due", "seen"],
@@ -162,7 +162,7 @@ impl Settings {
                 self.color = ColorChoice::from_word(word).ok_or_else(refusal)?;
             }
             SettingItem::Fidelity => {
-                self.fidelity = Fidelity::from_word(word).ok_or_else(refusal)?;
+                self.fidelity = Exactness::from_word(word).ok_or_else(refusal)?;
             }
             SettingItem::Runs if word == "auto" => self.runs = None,
             SettingItem::Runs => match word.parse() {

@@ -18,8 +18,8 @@ use super::message::Command;
 use super::status::Status;
 use super::work::Work;
 use super::work::campaign::Purpose;
-use crate::dem::Fidelity;
 use crate::study::checks::RUNS;
+use crate::study::exactness::Exactness;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect as Shown;
 use crate::units::significant;
@@ -30,7 +30,7 @@ use given::Given;
 #[derive(Debug, Default)]
 pub(super) struct Studies {
     /// How exactly the checks of studies compute; quick where nothing was said.
-    fidelity: Option<Fidelity>,
+    fidelity: Option<Exactness>,
     sensitivity: sensitivity::SensitivityState,
     sweep: sweep::SweepState,
     compare: compare::CompareState,
@@ -55,19 +55,19 @@ impl Studies {
     }
 
     /// How exactly the checks of studies compute.
-    pub(super) fn fidelity(&self) -> Fidelity {
-        self.fidelity.unwrap_or(Fidelity::Quick)
+    pub(super) fn fidelity(&self) -> Exactness {
+        self.fidelity.unwrap_or(Exactness::Quick)
     }
 
     /// Takes the next fidelity; what to say.
     fn next_fidelity(&mut self) -> String {
         let next = match self.fidelity() {
-            Fidelity::Quick => Fidelity::Standard,
-            Fidelity::Standard => Fidelity::Fine,
-            _ => Fidelity::Quick,
+            Exactness::Quick => Exactness::Standard,
+            Exactness::Standard => Exactness::Fine,
+            _ => Exactness::Quick,
         };
         self.fidelity = Some(next);
-        let aim = significant(100.0 * next.aim(), 1);
+        let aim = significant(100.0 * next.fidelity().aim(), 1);
         format!("checks of studies are {}: errors within {aim} %", next.word())
     }
 

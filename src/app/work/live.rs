@@ -3,12 +3,12 @@
 use super::super::editor::Editor;
 use super::super::message::Command;
 use super::{Work, target};
-use crate::dem::Fidelity;
 use crate::fingerprint::Fingerprint;
 use crate::job::checks::Checks;
 use crate::job::news::What;
 use crate::job::order::Task;
 use crate::problem;
+use crate::study::exactness::Exactness;
 use crate::study::result::Wanted;
 use crate::study::result::make::Made;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ pub(crate) const LIVE_RUNS: usize = 4;
 
 /// What live checks are asked for.
 fn wanted() -> Wanted {
-    Wanted { fidelity: Fidelity::Quick, runs: Some(LIVE_RUNS), seed: 0 }
+    Wanted { fidelity: Exactness::Quick, runs: Some(LIVE_RUNS), seed: 0 }
 }
 
 /// What live mode has made and makes.

@@ -7,8 +7,9 @@ use crate::cli::output::{Fault, TableFormat};
 use crate::cli::quantity;
 use crate::cli::verdict::VerdictFlags;
 use crate::dem::fast::Path as Instructions;
-use crate::dem::{Controls, Fidelity, Test};
+use crate::dem::{Controls, Test};
 use crate::study::ensemble::Plan;
+use crate::study::exactness::Exactness;
 use crate::words::Choice;
 use clap::Args;
 use std::num::NonZeroUsize;
@@ -70,9 +71,10 @@ pub(crate) struct CheckArgs {
     /// Threads; the result does not depend on them [default: as many as the machine has].
     #[arg(long, value_name = "N", help_heading = "Runs")]
     threads: Option<NonZeroUsize>,
-    /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Fidelity::ALL), help_heading = "Accuracy")]
-    fidelity: Fidelity,
+    /// Aim: errors of a run within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself; auto:
+    /// quick runs with their bias taken out by standard ones where that pays, else standard ones.
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Exactness::ALL), help_heading = "Accuracy")]
+    fidelity: Exactness,
     /// Factor on the time step; what is beyond the stability bound is refused.
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = quantity::number, allow_hyphen_values = true, help_heading = "Accuracy")]
     step_factor: f64,
@@ -113,6 +115,7 @@ impl CheckArgs {
                 Phase::Random => None,
                 Phase::Fixed(phase) => Some(phase),
             },
+            auto: self.fidelity == Exactness::Auto,
             threads: threads(self.threads),
         }
     }
@@ -128,7 +131,7 @@ impl CheckArgs {
             })
         });
         Ok(Controls {
-            fidelity: self.fidelity,
+            fidelity: self.fidelity.fidelity(),
             step_factor: self.step_factor,
             speed: self.speed,
             damping: self.damping,

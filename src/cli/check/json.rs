@@ -7,6 +7,7 @@ use crate::dem::outcome::{AnchorForce, Break, Quality, RunOutcome};
 use crate::show::objects::{curve, ends, head, inputs, maybe_pair, pair, remark};
 use crate::show::value::{Object, Value, exact, kn, word};
 use crate::show::verdict;
+use crate::study::bias::Bias;
 use crate::study::blocks::{Stood, word as word_of};
 use crate::study::ensemble::{Run, Spread};
 use crate::study::result::WorstAnchor;
@@ -44,7 +45,8 @@ fn one(c: &Checked) -> Object {
     let remarks = c.remarks.iter().map(|r| remark(r.code(), r.weight(), r.sentence()));
     head(c.name.as_deref(), c.fingerprint, inputs(&c.case))
         .with("test", word(c.spec.test))
-        .with("fidelity", c.fidelity.word())
+        .with("fidelity", c.fidelity_word())
+        .with("bias", c.ensemble.bias.map(bias))
         .with("law", c.spec.wire.source.clone())
         .with("stretch", exact(c.stretch))
         .with("runs", e.runs.iter().map(run).collect::<Value>())
@@ -65,6 +67,18 @@ fn one(c: &Checked) -> Object {
         .maybe("kept_before", c.former.as_ref().map(|f| former(f, c)))
         .maybe("verdict", c.verdict.as_ref().map(|v| verdict::object(&c.case, v)))
         .with("warnings", remarks.collect::<Value>())
+}
+
+/// What was taken out of quick members, by how many pairs.
+fn bias(b: Bias) -> Object {
+    let [force, delta] = b.factors;
+    let [force_error, delta_error] = b.errors;
+    Object::new()
+        .with("pairs", b.pairs)
+        .with("F_factor", force)
+        .with("delta_factor", delta)
+        .with("F_error", force_error)
+        .with("delta_error", delta_error)
 }
 
 /// On how much of the slope a plate catches how many nodes.

@@ -29,12 +29,14 @@ use crate::problem::Problem;
 use crate::project;
 use crate::study::blocks::{self, Stood};
 use crate::study::ensemble::{Ensemble, Plan, Run};
+use crate::study::exactness::Exactness;
 use crate::study::inputs::of_ensemble;
 use crate::study::remark::CheckRemark;
 use crate::study::result::remade::Former;
 use crate::study::result::sampled::{Catch, catches, characteristic};
 use crate::study::result::{CheckResult, Wanted, WorstAnchor, worst_anchor};
 use crate::study::verdict::{Basis, Finding, Forecasted, Simulated, Verdict, verdict};
+use crate::words::Choice;
 use std::sync::Arc;
 
 /// One case with its check.
@@ -68,6 +70,36 @@ impl Checked {
     fn broken(&self) -> usize {
         let good = |run: &&Run| run.outcome.stop != Stop::Diverged;
         self.ensemble.runs.iter().filter(good).filter(|r| r.outcome.first_break.is_some()).count()
+    }
+
+    /// What was asked of its runs.
+    fn exactness(&self) -> Exactness {
+        if self.plan.auto { Exactness::Auto } else { self.fidelity.into() }
+    }
+
+    /// The word of its fidelity.
+    fn fidelity_word(&self) -> &'static str {
+        self.exactness().word()
+    }
+
+    /// The fidelity that most of its runs have.
+    fn run_fidelity(&self) -> Fidelity {
+        if self.ensemble.bias.is_some() { Fidelity::Quick } else { self.fidelity }
+    }
+
+    /// The same with what was made of it.
+    fn fidelity_said(&self) -> String {
+        let word = self.fidelity_word();
+        match self.ensemble.bias {
+            Some(b) => format!(
+                "{word} (quick runs; {} made again at standard, by which F is {:+.2} %, delta {:+.2} %)",
+                b.pairs,
+                100.0 * (b.factors[0] - 1.0),
+                100.0 * (b.factors[1] - 1.0)
+            ),
+            None if self.plan.auto => format!("{word} ({} runs)", self.fidelity.word()),
+            None => word.into(),
+        }
     }
 
     /// Whether it is the test with anchors.
@@ -256,7 +288,7 @@ fn judged(c: &Checked, basis: Basis) -> Option<Verdict> {
         return None;
     }
     let Plan { runs, seed, .. } = c.plan;
-    let wanted = Wanted { fidelity: c.fidelity, runs, seed };
+    let wanted = Wanted { fidelity: c.exactness(), runs, seed };
     let result = CheckResult::from_ensemble(&c.ensemble, &wanted, c.fingerprint);
     let forecast = match c.forecast.other_net {
         true => Forecasted::none("the forecast is of another net"),

@@ -9,7 +9,7 @@ const MUCH_STRETCH: f64 = 0.02;
 
 /// The remarks on a check, the heaviest first.
 pub(super) fn of(c: &Checked) -> Vec<CheckRemark> {
-    let mut list = c.ensemble.remarks(c.fidelity, c.plan.phase.is_some());
+    let mut list = c.ensemble.remarks(c.run_fidelity(), c.plan.phase.is_some());
     let without = match (c.forecast.values, c.forecast.outside) {
         _ if c.forecast.other_net => Some(NoForecast::OtherNet),
         (_, Some(why)) if c.test_is_anchored() || why == NoField::PassesThrough => {

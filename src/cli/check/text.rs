@@ -93,7 +93,7 @@ fn inputs(page: &mut Page, c: &Checked) {
     let [x, y] = c.stretch.map(|s| 100.0 * (s - 1.0));
     let text = format!(
         "{test}; {} fidelity; net stretched {x:+.1} % in x, {y:+.1} % in y",
-        c.fidelity.word()
+        c.fidelity_said()
     );
     page.line("test", text);
     page.line("mesh", format!("{} ({})", c.case.mesh.id, c.case.mesh.title()));

@@ -9,9 +9,9 @@ use super::check::{runs, threads};
 use super::watch::Watch;
 use crate::case::Case;
 use crate::cli::choice::one_of;
-use crate::dem::Fidelity;
 use crate::dem::Flow;
 use crate::study::checks::{CaseEvent, CheckAnswer, NoCheck, RUNS, checks};
+use crate::study::exactness::Exactness;
 use crate::study::result::Wanted;
 use crate::words::Choice;
 use clap::Args;
@@ -27,8 +27,8 @@ pub(crate) struct DemFlags {
     #[arg(long)]
     dem: bool,
     /// Aim: errors within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself.
-    #[arg(long, value_name = "FIDELITY", requires = "dem", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
-    fidelity: Fidelity,
+    #[arg(long, value_name = "FIDELITY", requires = "dem", default_value = "quick", value_parser = one_of(Exactness::ALL))]
+    fidelity: Exactness,
     /// Number of runs of each check.
     #[arg(long, value_name = "N", requires = "dem", default_value_t = RUNS, value_parser = runs)]
     runs: usize,

@@ -240,8 +240,12 @@ impl FitQuestion {
         };
         let controls =
             Controls { fidelity: self.fidelity, after_break: 0.0, ..Controls::default() };
-        let plan =
-            Plan { runs: Some(scene.runs), seed: self.seed, phase: None, threads: self.threads };
+        let plan = Plan {
+            runs: Some(scene.runs),
+            seed: self.seed,
+            threads: self.threads,
+            ..Plan::default()
+        };
         let made =
             ensemble::run(&spec, &controls, &plan, &|now| tell(scene, now)).map_err(Ended::Bad)?;
         if made.partial() { Err(Ended::Cancelled) } else { Ok(made) }

@@ -235,6 +235,7 @@ fn scene(
         runs: all.then_some(most),
         seed: options.seed,
         phase: None,
+        auto: false,
         threads: options.threads,
     };
     loop {

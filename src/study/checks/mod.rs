@@ -201,8 +201,8 @@ pub(crate) fn difference(result: &CheckResult, forecast: Strength) -> Option<Dif
 pub(super) mod tests {
     use super::*;
     use crate::case::{Input, example};
-    use crate::dem::Fidelity;
     use crate::layout::{Layout, REFERENCE};
+    use crate::study::exactness::Exactness;
     use std::sync::Mutex;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -211,7 +211,7 @@ pub(super) mod tests {
 
     /// Two quick runs.
     pub(crate) fn two() -> Wanted {
-        Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 3 }
+        Wanted { fidelity: Exactness::Quick, runs: Some(2), seed: 3 }
     }
 
     #[test]

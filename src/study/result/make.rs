@@ -115,16 +115,16 @@ pub fn make(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::Fidelity;
     use crate::layout::REFERENCE;
     use crate::mesh::catalogue;
     use crate::mesh::wire::CurvePoint;
+    use crate::study::exactness::Exactness;
     use crate::units::to_kn;
 
     #[test]
     fn a_result_ends_where_its_mean_first_break_is() {
         let layout = Layout { spacing: 1.5, punch: 0.5, ..REFERENCE };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(3), seed: 1 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(3), seed: 1 };
         let mesh = catalogue::reference();
         let seen = std::sync::Mutex::new(Vec::new());
         let made = make(&layout, &mesh, &wanted, 2, &|told| {
@@ -179,7 +179,7 @@ mod tests {
             (0.06339646, 378.2388),
         ]);
         wire.distortion.lambda_u = 0.03;
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let wanted = Wanted { fidelity: Exactness::Quick, runs: Some(2), seed: 0 };
         let centred =
             Layout { plate: 0.25, spacing: 1.5, punch: 0.5, ex: 0.0, ey: 0.0, ..REFERENCE };
         let eccentric = Layout { spacing: 1.6, ex: 0.3, ey: 0.2, ..centred };

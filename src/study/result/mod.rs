@@ -20,6 +20,7 @@ pub(crate) mod revisions;
 pub mod sampled;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread, counts, weighted_mean, weights};
+use super::exactness::Exactness;
 use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::curve::{Curve, Point};
 use crate::dem::lattice::Role;
@@ -38,7 +39,7 @@ pub(crate) const DIGITS: usize = 5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
     /// How exactly each run computes.
-    pub fidelity: Fidelity,
+    pub fidelity: Exactness,
     /// Number of runs; nothing means as many as the mean needs, see [`Plan::runs`].
     pub runs: Option<usize>,
     /// Seed of alignments and slack.
@@ -48,19 +49,25 @@ pub struct Wanted {
 impl Default for Wanted {
     /// Standard fidelity, as many runs as needed, seed 0.
     fn default() -> Wanted {
-        Wanted { fidelity: Fidelity::Standard, runs: None, seed: 0 }
+        Wanted { fidelity: Exactness::Standard, runs: None, seed: 0 }
     }
 }
 
 impl Wanted {
     /// Controls of the runs.
     pub(crate) fn controls(&self) -> Controls {
-        Controls { fidelity: self.fidelity, keep_net: true, ..Controls::default() }
+        Controls { fidelity: self.fidelity.fidelity(), keep_net: true, ..Controls::default() }
     }
 
     /// Plan of the ensemble, on this many threads.
     pub(crate) fn plan(&self, threads: usize) -> Plan {
-        Plan { runs: self.runs, seed: self.seed, phase: None, threads: threads.max(1) }
+        Plan {
+            runs: self.runs,
+            seed: self.seed,
+            phase: None,
+            auto: self.fidelity.auto(),
+            threads: threads.max(1),
+        }
     }
 }
 
@@ -263,7 +270,11 @@ impl CheckResult {
             aligned: false,
             force_error: self.force.uncertainty(),
             error_estimate: self.quality.error_estimate,
-            fidelity: self.wanted.fidelity,
+            // Most of a chosen one's are quick, or may be.
+            fidelity: match self.wanted.fidelity {
+                Exactness::Auto => Fidelity::Quick,
+                other => other.fidelity(),
+            },
         };
         facts.remarks()
     }

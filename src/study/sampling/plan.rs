@@ -17,12 +17,14 @@ pub(crate) struct Plan {
     pub(crate) seed: u64,
     /// The same alignment for every run; nothing means one of its own for each.
     pub(crate) phase: Option<[f64; 2]>,
+    /// Whether members may be quick runs whose bias is taken out, see [`crate::study::paired`].
+    pub(crate) auto: bool,
     /// Threads, at least 1.
     pub(crate) threads: usize,
 }
 
 impl Default for Plan {
     fn default() -> Self {
-        Plan { runs: None, seed: 0, phase: None, threads: 1 }
+        Plan { runs: None, seed: 0, phase: None, auto: false, threads: 1 }
     }
 }

@@ -127,7 +127,8 @@ pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     fit.wire = rounded(&fit.wire);
     fit.wire.source = source(args, &target, &fit, &start);
     let controls = Controls { fidelity: args.fidelity, after_break: 0.0, ..Controls::default() };
-    let plan = Plan { runs: None, seed: args.seed, phase: None, threads: options.threads };
+    let plan =
+        Plan { runs: None, seed: args.seed, phase: None, auto: false, threads: options.threads };
     watch.begin("anchored reference", parts - 1, parts, ANCHORED[1]);
     let spec = anchored_reference(fit.wire.clone());
     let anchored = ensemble::run(&spec, &controls, &plan, &|now| watch.tell(now))?;
