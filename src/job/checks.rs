@@ -264,7 +264,8 @@ mod tests {
     fn a_live_check_of_worst_blocks_tells_the_lower_arrangement_by_itself() {
         let layout = Layout { spacing: 1.8, punch: 0.5, ex: 0.25, ey: 0.35, ..REFERENCE };
         let layout = Layout { blocks: crate::layout::Blocks::Worst, ..layout };
-        let wanted = Wanted { fidelity: Fidelity::Quick, runs: Some(2), seed: 0 };
+        let wanted =
+            Wanted { fidelity: crate::study::exactness::Exactness::Quick, runs: Some(2), seed: 0 };
         let case = example(layout, None);
         let runs = Mutex::new(Vec::new());
         let whole = make(&layout, &case.mesh, &wanted, 1, &|told| {
