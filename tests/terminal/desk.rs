@@ -47,7 +47,7 @@ fn a_setting_is_kept_in_the_config_folder_and_a_flag_stands_above_it() {
     assert!(again.wait_exit().success());
     fs::write(&file, "(\n    fidelity: fast,\n)\n").unwrap();
     let mut broken = Launch::meshcast().env("HOME", &home).start();
-    broken.wait_for("! settings.ron line 2, fidelity: fast is none of quick, standard, fine");
+    broken.wait_for("! settings.ron line 2, fidelity: fast is none of auto, quick");
     broken.send("q");
     assert!(broken.wait_exit().success());
     assert!(fs::read_to_string(&file).unwrap().contains("fast"));
