@@ -1,6 +1,7 @@
 //! One worker and one waiting slot.
 //!
 //! - A new order takes the place of the one that waits.
+//! - An order that will never begin is given back, so that whoever waits for its end can be told.
 //! - An order that was asked for ends the one that runs; one that nobody asked for (live) ends a
 //!   running live one, and waits for one that was asked for.
 //! - A panic in the work ends that work alone: the worker goes on with the next order.
@@ -82,29 +83,32 @@ impl<J: Send + 'static> Desk<J> {
         Some(Desk { shared })
     }
 
-    /// Hands in an order.
-    pub(crate) fn submit(&self, urgency: Urgency, job: J) {
+    /// Hands in an order; the one that will not be done for it, be it the new one itself.
+    #[must_use]
+    pub(crate) fn submit(&self, urgency: Urgency, job: J) -> Option<J> {
         let mut state = self.shared.lock();
         // What was asked for and has not begun yet is not pushed aside by what nobody asked for.
         if urgency == Urgency::Live && matches!(state.waiting, Some((Urgency::Asked, _))) {
-            return;
+            return Some(job);
         }
         if let Some((running, ticket)) = &state.running
             && (urgency == Urgency::Asked || *running == Urgency::Live)
         {
             ticket.cancel();
         }
-        state.waiting = Some((urgency, job));
+        let former = state.waiting.replace((urgency, job));
         self.shared.wake.notify_one();
+        former.map(|(_, job)| job)
     }
 
-    /// Ends what runs and drops what waits.
-    pub(crate) fn cancel(&self) {
+    /// Ends what runs, which tells its end itself, and gives back what waits.
+    #[must_use]
+    pub(crate) fn cancel(&self) -> Option<J> {
         let mut state = self.shared.lock();
-        state.waiting = None;
         if let Some((_, ticket)) = &state.running {
             ticket.cancel();
         }
+        state.waiting.take().map(|(_, job)| job)
     }
 }
 
@@ -191,11 +195,11 @@ mod tests {
     #[test]
     fn what_is_asked_for_replaces_what_runs() {
         let (desk, news) = desk();
-        desk.submit(Urgency::Asked, 1);
+        assert_eq!(desk.submit(Urgency::Asked, 1), None);
         hear(&news, &["begin 1"]);
-        desk.submit(Urgency::Asked, 2);
+        assert_eq!(desk.submit(Urgency::Asked, 2), None);
         hear(&news, &["end 1", "begin 2"]);
-        desk.cancel();
+        assert_eq!(desk.cancel(), None);
         hear(&news, &["end 2"]);
         drop(desk);
         assert!(news.recv_timeout(PATIENCE).is_err(), "the worker ends and its channel with it");
@@ -204,31 +208,43 @@ mod tests {
     #[test]
     fn the_newest_live_order_wins_and_waits_for_what_was_asked_for() {
         let (desk, news) = desk();
-        desk.submit(Urgency::Asked, 1);
+        assert_eq!(desk.submit(Urgency::Asked, 1), None);
         hear(&news, &["begin 1"]);
-        for live in 2..6 {
-            desk.submit(Urgency::Live, live);
+        assert_eq!(desk.submit(Urgency::Live, 2), None);
+        for live in 3..6 {
+            assert_eq!(desk.submit(Urgency::Live, live), Some(live - 1));
         }
         desk.shared.lock().running.as_ref().unwrap().1.cancel();
         hear(&news, &["end 1", "begin 5"]);
-        desk.submit(Urgency::Live, 6);
+        assert_eq!(desk.submit(Urgency::Live, 6), None);
         hear(&news, &["end 5", "begin 6"]);
         // An order that waits and was asked for is not pushed aside.
         {
             let mut state = desk.shared.lock();
             state.waiting = Some((Urgency::Asked, 7));
         }
-        desk.submit(Urgency::Live, 8);
+        assert_eq!(desk.submit(Urgency::Live, 8), Some(8), "the new one will not be done");
         desk.shared.lock().running.as_ref().unwrap().1.cancel();
         hear(&news, &["end 6", "begin 7"]);
     }
 
     #[test]
+    fn an_order_that_waits_is_given_back_when_all_is_ended() {
+        let (desk, news) = desk();
+        assert_eq!(desk.submit(Urgency::Asked, 1), None);
+        hear(&news, &["begin 1"]);
+        desk.shared.lock().waiting = Some((Urgency::Asked, 2));
+        assert_eq!(desk.cancel(), Some(2));
+        hear(&news, &["end 1"]);
+        assert_eq!(desk.cancel(), None);
+    }
+
+    #[test]
     fn a_panic_ends_one_order_and_not_the_worker() {
         let (desk, news) = desk();
-        desk.submit(Urgency::Asked, 0);
+        assert_eq!(desk.submit(Urgency::Asked, 0), None);
         hear(&news, &["begin 0", "failed 0"]);
-        desk.submit(Urgency::Asked, 1);
+        assert_eq!(desk.submit(Urgency::Asked, 1), None);
         hear(&news, &["begin 1"]);
     }
 }
