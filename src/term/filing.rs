@@ -1,16 +1,17 @@
 //! Files are read and written by a thread of their own, so that the loop never waits for a disk.
 //!
-//! One queue: what was asked for first is done first, and its answer comes as a message. The recovery
-//! file is not part of it: it is small, and must be written also while a disk keeps this thread waiting.
+//! One queue: what was asked for first is done first, and its answer comes as a message. The end of the
+//! session waits for it for a while, so that a save is not cut off and an export leaves no draft. The recovery
+//! file is not part of it but of [`super::keeping`]: it must be written also while a disk keeps this
+//! thread waiting.
 
+use super::errands::Errands;
 use super::events::Mail;
 use super::exports::ExportWanted;
 use super::program::Host;
 use crate::app::message::{Command, Message, OpenFailure, SaveFailure};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::sync::mpsc::{Sender, channel};
-use std::thread;
 
 /// What is said of work that ended by a fault of the program.
 const BROKE: &str = "a fault of the program: nothing is known of the file";
@@ -18,40 +19,30 @@ const BROKE: &str = "a fault of the program: nothing is known of the file";
 /// The thread and the way to it.
 pub(super) struct Filing {
     host: Arc<dyn Host>,
-    /// None where the system gave no thread: then all is done on the spot.
-    queue: Option<Sender<Command>>,
+    errands: Errands<Command>,
 }
 
 impl Filing {
-    /// Starts the thread; its answers go to `mail`. It ends when this is dropped and all is done.
+    /// Starts the thread; its answers go to `mail`.
     pub(super) fn open(host: Arc<dyn Host>, mail: Mail) -> Filing {
-        let (queue, orders) = channel();
         let theirs = Arc::clone(&host);
-        let work = move || {
-            for order in orders {
-                if let Some(message) = carry_out(theirs.as_ref(), order) {
-                    mail.send(message);
-                }
+        let errands = Errands::open("files", move |order| {
+            if let Some(message) = carry_out(theirs.as_ref(), order) {
+                mail.send(message);
             }
-        };
-        let thread = thread::Builder::new().name("files".to_owned()).spawn(work);
-        Filing { host, queue: thread.is_ok().then_some(queue) }
+        });
+        Filing { host, errands }
     }
 
     /// No thread.
     #[cfg(test)]
     pub(super) fn on_the_spot(host: Arc<dyn Host>) -> Filing {
-        Filing { host, queue: None }
+        Filing { host, errands: Errands::on_the_spot() }
     }
 
     /// Hands in an order; its answer, where there is no thread to do it.
     pub(super) fn order(&self, order: Command) -> Option<Message> {
-        let refused = match &self.queue {
-            // A thread that is gone gives the order back.
-            Some(queue) => queue.send(order).err()?.0,
-            None => order,
-        };
-        carry_out(self.host.as_ref(), refused)
+        carry_out(self.host.as_ref(), self.errands.order(order)?)
     }
 }
 

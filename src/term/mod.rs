@@ -3,12 +3,13 @@
 //!
 //! One channel, one receiver. The threads `input` and `signals` and any worker send to it; the main
 //! thread waits on it and does nothing else, so neither a terminal that is gone nor a slow disk can hold
-//! it up (only the small recovery file is written there):
+//! it up:
 //!
 //! ```text
 //! bytes   -> decoder -> bursts -> input --+
 //! signals, new size  -> signals ----------+--> channel --> update --> effects --> filing (Host: files)
-//! answers            -> filing -----------+                  |           +------> workshop (checks)
+//! answers            -> filing -----------+                  |           +------> keeping (recovery file)
+//! troubles           -> keeping ----------+                  |           +------> workshop (checks)
 //! news               -> workshop ---------+                draw --> Painter --> one write of what
 //!                                                                                changed, cursor last
 //! ```
@@ -24,6 +25,7 @@ mod cells;
 mod clipboard;
 #[cfg(unix)]
 mod decoder;
+mod errands;
 mod error;
 mod events;
 mod exports;
@@ -32,6 +34,7 @@ mod filing;
 mod found;
 mod guard;
 mod input;
+mod keeping;
 #[cfg(not(unix))]
 mod keys;
 mod painter;

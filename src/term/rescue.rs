@@ -17,6 +17,8 @@ pub(super) struct Rescue {
 struct State {
     unsaved: Option<Arc<Project>>,
     kept: Option<Arc<Project>>,
+    /// The loop has ended: what it has done about the recovery file stands.
+    settled: bool,
 }
 
 impl Rescue {
@@ -52,6 +54,12 @@ impl Rescue {
         self.state().kept = Some(project);
     }
 
+    /// Whether the loop runs and nothing is unsaved.
+    pub(super) fn is_clean(&self) -> bool {
+        let state = self.state();
+        state.unsaved.is_none() && !state.settled
+    }
+
     /// Writes the recovery file when there is something in need of it, also when it was written before.
     /// A project that could not be kept counts as kept, so that nobody tries it again and again.
     pub(super) fn keep(&self) -> Option<Result<PathBuf, String>> {
@@ -63,7 +71,8 @@ impl Rescue {
 
     /// The loop has ended in good order; nothing is left to rescue.
     pub(super) fn settle(&self) {
-        self.note(None);
+        let mut state = self.state();
+        (state.unsaved, state.settled) = (None, true);
     }
 
     /// The terminal has been given back as well.

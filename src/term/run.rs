@@ -3,6 +3,7 @@
 use super::clipboard;
 use super::events::Event;
 use super::filing::Filing;
+use super::keeping::Keeping;
 use super::painter::{Meter, Painter};
 use super::program::{Host, Program};
 use super::rescue::Rescue;
@@ -49,6 +50,7 @@ pub(super) struct Loop<'a, P, S> {
     pub(super) events: Receiver<Event>,
     pub(super) workshop: Workshop,
     pub(super) filing: Filing,
+    pub(super) keeping: Keeping,
     pub(super) painter: Painter,
     /// Whether the terminal may be sent what is to be copied.
     pub(super) clipboard: bool,
@@ -99,10 +101,10 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         if self.deadline().is_none_or(|deadline| Instant::now() < deadline) {
             return;
         }
-        if self.unkept_since.take().is_some() || !self.host.recovery_stands() {
-            self.keep();
-        }
-        self.kept_at = self.kept_at.map(|_| Instant::now());
+        self.unkept_since = None;
+        self.kept_at = Some(Instant::now());
+        let told = self.keeping.keep();
+        self.tell(told);
     }
 
     /// Waits for an event, but no longer than until edits are to be kept.
@@ -167,7 +169,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                     .err()
                     .map(|why| Message::Trouble(format!("unsaved edits could not be kept: {why}")))
             }
-            Command::ForgetRecovery => self.forget_recovery(),
+            Command::ForgetRecovery => self.keeping.forget_aloud(),
             Command::TakeKept => {
                 self.host.take_kept();
                 None
@@ -182,10 +184,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
                 None
             }
             Command::Work(order) => return self.workshop.order(order),
-            Command::StopWork => {
-                self.workshop.stop();
-                None
-            }
+            Command::StopWork => return self.workshop.stop(),
             Command::Redraw => {
                 self.painter.forget();
                 self.redraw = true;
@@ -224,11 +223,6 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         }
     }
 
-    fn forget_recovery(&mut self) -> Option<Message> {
-        let why = self.host.forget_recovery().err()?;
-        Some(Message::Trouble(format!("the recovery file could not be removed: {why}")))
-    }
-
     /// Notes what is unsaved after a message. A save that has ended makes the recovery file pointless,
     /// or, with edits made meanwhile, in need of being written anew: the save may have gone to another
     /// file, whose recovery file is another one.
@@ -237,10 +231,11 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         let clean = unsaved.is_none();
         let pointless = self.rescue.note(unsaved);
         if pointless || (saved && clean) {
-            // The file would be offered at the next start, and refused or taken there.
-            let _ = self.host.forget_recovery();
+            self.keeping.forget();
         } else if saved {
-            self.keep();
+            self.kept_at = Some(Instant::now());
+            let told = self.keeping.keep_anew();
+            self.tell(told);
         }
         if self.rescue.pending() {
             self.unkept_since.get_or_insert_with(Instant::now);
@@ -252,14 +247,9 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
         }
     }
 
-    /// Keeps what is unsaved in the recovery file.
-    fn keep(&mut self) {
-        let kept = self.rescue.keep();
-        self.kept_at = kept.as_ref().map(|_| Instant::now());
-        if let Some(Err(why)) = kept {
-            self.update(Message::Trouble(format!(
-                "unsaved edits could not be kept in the recovery file: {why}"
-            )));
+    fn tell(&mut self, told: Option<Message>) {
+        if let Some(message) = told {
+            self.update(message);
         }
     }
 

@@ -57,6 +57,14 @@ struct NotedHost {
     full: bool,
     /// A save waits for a word from here, as for a disk that does not answer.
     gate: Option<Mutex<Receiver<()>>>,
+    /// So does the recovery file.
+    recovery_gate: Option<Mutex<Receiver<()>>>,
+}
+
+impl NotedHost {
+    fn new(notes: &Notes, full: bool) -> NotedHost {
+        NotedHost { notes: Arc::clone(notes), full, gate: None, recovery_gate: None }
+    }
 }
 
 impl Host for NotedHost {
@@ -75,6 +83,10 @@ impl Host for NotedHost {
 
     fn recover(&self, project: &Project) -> Result<PathBuf, String> {
         note(&self.notes, format!("recover {}", project.name));
+        if let Some(gate) = &self.recovery_gate {
+            gate.lock().unwrap().recv_timeout(PATIENCE).unwrap();
+            note(&self.notes, "recovered");
+        }
         if self.full { Err("no room".to_owned()) } else { Ok(PathBuf::new()) }
     }
 
@@ -184,20 +196,22 @@ const HEALTHY: Setting = Setting { broken: false, can_stop: true, full: false, a
 /// `send` leaves a thread behind. Files are written on the spot.
 fn run(setting: Setting, send: impl FnOnce(Mail)) -> (Ending, Vec<String>) {
     let notes = Notes::default();
-    let host = NotedHost { notes: Arc::clone(&notes), full: setting.full, gate: None };
+    let host = NotedHost::new(&notes, setting.full);
     let host: Arc<dyn Host> = Arc::new(host);
     let (mail, events) = events::open();
     send(mail);
     let filing = Filing::on_the_spot(Arc::clone(&host));
-    let ending = run_with(setting, host, filing, events, &notes);
+    let rescue = Arc::new(Rescue::new(Arc::clone(&host)));
+    let keeping = Keeping::on_the_spot(Arc::clone(&host), Arc::clone(&rescue));
+    let ending = run_with(setting, (host, rescue), (filing, keeping), events, &notes);
     let notes = notes.lock().unwrap().clone();
     (ending, notes)
 }
 
 fn run_with(
     setting: Setting,
-    host: Arc<dyn Host>,
-    filing: Filing,
+    (host, rescue): (Arc<dyn Host>, Arc<Rescue>),
+    (filing, keeping): (Filing, Keeping),
     events: Receiver<Event>,
     notes: &Notes,
 ) -> Ending {
@@ -206,6 +220,7 @@ fn run_with(
     let (ending, _) = Loop {
         workshop: Workshop::none(),
         filing,
+        keeping,
         program: &mut program,
         stage: NotedStage {
             notes: Arc::clone(notes),
@@ -213,7 +228,7 @@ fn run_with(
             can_stop: setting.can_stop,
             size: (20, 4),
         },
-        rescue: Arc::new(Rescue::new(Arc::clone(&host))),
+        rescue,
         host,
         events,
         painter: Painter::new(Charset::Utf8),
@@ -233,35 +248,71 @@ fn run_with(
 /// Far beyond what any step here takes; only reached where something hangs.
 const PATIENCE: Duration = Duration::from_secs(20);
 
+/// Waits until something is noted, or in vain for long.
+fn hear(notes: &Notes, word: &str) {
+    let start = Instant::now();
+    while !notes.lock().unwrap().iter().any(|noted| noted == word) && start.elapsed() < PATIENCE / 2
+    {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+fn without_frames(notes: &Notes) -> Vec<String> {
+    notes.lock().unwrap().iter().filter(|noted| *noted != "frame").cloned().collect()
+}
+
 /// Runs the loop with a host whose saves wait: once `word` is noted of the keys typed, the save goes on,
 /// and the program ends when it was answered.
 fn run_with_a_slow_disk(keys: &'static str, word: &'static str) -> Vec<String> {
     let notes = Notes::default();
     let (open_gate, gate) = std::sync::mpsc::channel();
     let gate = Some(Mutex::new(gate));
-    let host: Arc<dyn Host> = Arc::new(NotedHost { notes: Arc::clone(&notes), full: false, gate });
+    let host: Arc<dyn Host> = Arc::new(NotedHost { gate, ..NotedHost::new(&notes, false) });
     let (mail, events) = events::open();
     let filing = Filing::open(Arc::clone(&host), mail.clone());
+    let rescue = Arc::new(Rescue::new(Arc::clone(&host)));
+    let keeping = Keeping::on_the_spot(Arc::clone(&host), Arc::clone(&rescue));
     let watched = Arc::clone(&notes);
-    let hears = move |word: &str| {
-        let start = Instant::now();
-        while !watched.lock().unwrap().iter().any(|noted| noted == word) {
-            if start.elapsed() > PATIENCE / 2 {
-                return;
-            }
-            std::thread::sleep(Duration::from_millis(1));
-        }
-    };
     std::thread::spawn(move || {
         type_keys(&mail, keys);
-        hears(word);
+        hear(&watched, word);
         let _ = open_gate.send(());
-        hears("saved");
+        hear(&watched, "saved");
         type_keys(&mail, "q");
     });
-    run_with(HEALTHY, host, filing, events, &notes);
-    let notes = notes.lock().unwrap();
-    notes.iter().filter(|noted| *noted != "frame").cloned().collect()
+    run_with(HEALTHY, (host, rescue), (filing, keeping), events, &notes);
+    without_frames(&notes)
+}
+
+/// Runs the loop with a host whose recovery file waits for its disk: `first` is typed, and `then` once the
+/// file is being written; when `word` is noted of that the disk answers, and the program ends.
+fn run_with_a_slow_recovery(
+    first: &'static str,
+    then: &'static str,
+    word: &'static str,
+) -> Vec<String> {
+    let notes = Notes::default();
+    let (open_gate, gate) = std::sync::mpsc::channel();
+    let recovery_gate = Some(Mutex::new(gate));
+    let host: Arc<dyn Host> =
+        Arc::new(NotedHost { recovery_gate, ..NotedHost::new(&notes, false) });
+    let (mail, events) = events::open();
+    let filing = Filing::on_the_spot(Arc::clone(&host));
+    let rescue = Arc::new(Rescue::new(Arc::clone(&host)));
+    let keeping = Keeping::open(Arc::clone(&host), Arc::clone(&rescue), mail.clone());
+    let watched = Arc::clone(&notes);
+    std::thread::spawn(move || {
+        type_keys(&mail, first);
+        hear(&watched, "recover edited");
+        type_keys(&mail, then);
+        hear(&watched, word);
+        let _ = open_gate.send(());
+        hear(&watched, "recovered");
+        type_keys(&mail, "q");
+    });
+    let setting = Setting { autosave: Some(Duration::from_millis(5)), ..HEALTHY };
+    run_with(setting, (host, rescue), (filing, keeping), events, &notes);
+    without_frames(&notes)
 }
 
 fn type_keys(mail: &Mail, keys: &str) {
@@ -399,6 +450,20 @@ fn edits_are_kept_in_the_middle_of_a_flood_of_keys() {
     let kept = notes.iter().position(|noted| noted == "recover edited").unwrap();
     let after = notes[kept..].iter().filter(|noted| *noted == "key +").count();
     assert!(after > 1_000, "{after} keys came after they were kept");
+}
+
+#[test]
+fn keys_are_answered_while_the_recovery_file_waits_for_its_disk() {
+    let notes = run_with_a_slow_recovery("e", "+", "key +");
+    assert_eq!(notes, ["size 20x4", "key e", "recover edited", "key +", "recovered"]);
+}
+
+#[test]
+fn a_recovery_file_of_edits_that_went_while_it_was_written_goes_too() {
+    let notes = run_with_a_slow_recovery("e", "u", "key u");
+    assert_eq!(notes[..5], ["size 20x4", "key e", "recover edited", "key u", "recovered"]);
+    // Once or twice, for the loop may hear of the file before it ends.
+    assert!(notes.len() > 5 && notes[5..].iter().all(|noted| noted == "forget"), "{notes:?}");
 }
 
 #[test]

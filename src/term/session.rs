@@ -5,6 +5,7 @@ use super::error::TermError;
 use super::events::{self, Event, Mail};
 use super::filing::Filing;
 use super::guard::{self, Guard};
+use super::keeping::Keeping;
 use super::painter::Painter;
 use super::panic::Hook;
 use super::program::{Host, Program};
@@ -88,10 +89,11 @@ impl Session {
         let guard = Guard::take().map_err(TermError::Setup)?;
         input::start(mail.clone()).map_err(TermError::Setup)?;
         watch::start(Arc::clone(&host), mail.clone());
-        let (ending, _meter) = Loop {
+        let mut all = Loop {
             program,
             stage: Tty,
             filing: Filing::open(Arc::clone(&host), mail.clone()),
+            keeping: Keeping::open(Arc::clone(&host), Arc::clone(&rescue), mail.clone()),
             host: Arc::clone(&host),
             rescue: Arc::clone(&rescue),
             events,
@@ -105,11 +107,13 @@ impl Session {
             away: false,
             redraw: true,
             ending: None,
-        }
-        .run();
+        };
+        let (ending, _meter) = all.run();
         // A signal from here on must not end the process before the terminal is given back.
         rescue.settle();
         drop(guard);
+        // Waits for files that are being written, with the terminal as it was.
+        drop(all);
         host.leave();
         rescue.end();
         drop(hook);
