@@ -1,9 +1,10 @@
 //! Where a text goes: standard output, or a file that is never overwritten by chance.
 
 use super::output::{CommandEnd, Fault, Output};
+use super::written::write_file;
 use crate::export::form::Form;
 use crate::project::home::typed_path;
-use crate::project::{Overwrite, SaveError, same_file, write_file};
+use crate::project::{Overwrite, SaveError, same_file};
 use clap::Args;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

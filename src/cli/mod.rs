@@ -6,7 +6,7 @@
 //!   `campaign`, `derive`, `held-out`, `validate`.
 //! - [`sensitivity`], [`sweep`], [`compare`], [`design`]: the studies; [`dem`]: checks beside the
 //!   forecasts of the first three.
-//! - [`destination`]: standard output or a file; [`source`]: the project that a text is made from.
+//! - [`destination`]: standard output or a file; [`written`]: files, whole or not at all; [`source`]: the project that a text is made from.
 //! - [`case`]: one layout to forecast or check, from a project file, flags and defaults;
 //!   [`wire`]: the wires of a check.
 //! - [`output`]: results to standard output, errors to standard error, exit codes; [`watch`]: progress, time left and Ctrl+C.
@@ -38,6 +38,7 @@ pub(crate) mod sweep;
 mod verdict;
 pub(crate) mod watch;
 pub(crate) mod wire;
+pub(crate) mod written;
 
 pub(crate) use crate::VERSION;
 pub(crate) use flags::{StartFlags, UiFlags};

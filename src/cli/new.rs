@@ -1,7 +1,8 @@
 //! `meshcast new PATH`: a new project file with one layout and comments that explain the format.
 
 use super::output::{self, CommandEnd, Fault};
-use crate::project::{SaveError, create, new_project};
+use super::written::create;
+use crate::project::{SaveError, new_project};
 use clap::Args;
 use std::io::ErrorKind;
 use std::path::PathBuf;

@@ -107,3 +107,46 @@ fn words(line: &str) -> Vec<String> {
     words.push(word);
     words
 }
+
+/// Seen: SIGINT and SIGQUIT during an export left its draft in 2 of 240. Cause: they ended the program
+/// between the making of the draft and its renaming.
+#[cfg(unix)]
+#[test]
+fn a_signal_during_an_export_leaves_no_draft_and_has_its_effect_after_it() {
+    use std::os::unix::process::ExitStatusExt;
+    let (keep, path) = file("road-cut.ron", PROJECT);
+    let is_draft = |name: &str| name.ends_with(".saving");
+    let names = || -> Vec<String> {
+        let entries = std::fs::read_dir(keep.path()).unwrap();
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    };
+    let mut caught = 0;
+    for round in 0..40 {
+        let signal = [libc::SIGINT, libc::SIGQUIT, libc::SIGTERM, libc::SIGHUP][round % 4];
+        let target = keep.path().join(format!("{round}.html"));
+        let mut child =
+            super::command(&["report", shown(&path), "-o", shown(&target)]).spawn().unwrap();
+        // As soon as there is a draft; it may be over by then.
+        while child.try_wait().unwrap().is_none() && !names().iter().any(|name| is_draft(name)) {}
+        // SAFETY: a signal to a child of this process that has not been waited for, or to nobody.
+        unsafe { libc::kill(child.id() as libc::pid_t, signal) };
+        let status = child.wait().unwrap();
+        if status.signal() == Some(signal) {
+            caught += 1;
+        } else {
+            assert_eq!(status.code(), Some(0));
+        }
+        assert!(!names().iter().any(|name| is_draft(name)), "{round}: {:?}", names());
+        // Whole, or not there at all.
+        if let Ok(written) = std::fs::read_to_string(&target) {
+            assert!(written.trim_end().ends_with("</html>"), "{round}");
+        }
+    }
+    // What a killed one leaves, the next one removes.
+    let left = keep.path().join(".0.html.0123456789abcdef.saving");
+    let old = std::time::SystemTime::now() - std::time::Duration::from_secs(60);
+    std::fs::File::create(&left).unwrap().set_modified(old).unwrap();
+    good(&["report", shown(&path), "-o", shown(&keep.path().join("last.html"))]);
+    assert!(!left.exists());
+    println!("{caught} of 40 were ended by their signal");
+}

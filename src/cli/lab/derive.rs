@@ -1,6 +1,7 @@
 //! `meshcast derive`: a method from the runs of campaigns.
 
 use crate::cli::output::{CommandEnd, Fault, Output};
+use crate::cli::written::create;
 use crate::lab::campaign::file::{self, CampaignText};
 use crate::lab::derive::derive;
 use crate::layout::{Blocks, Layout, REFERENCE};
@@ -68,7 +69,7 @@ fn exists(path: &Path) -> Fault {
 fn write(path: &Path, method: &DerivedMethod) -> Result<(), Fault> {
     let text = project::method_text(method)
         .ok_or_else(|| Fault::Failure("the method cannot be written as RON".into()))?;
-    project::create(path, &text).map_err(|e| match e {
+    create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),
         other => Fault::Failure(other.to_string()),
     })

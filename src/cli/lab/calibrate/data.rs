@@ -8,6 +8,7 @@ use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::quantity;
 use crate::cli::watch::Watch;
+use crate::cli::written::create;
 use crate::dem::tensile::Pull;
 use crate::dem::{Fidelity, Flow};
 use crate::lab::calibrate::unlike_steel;
@@ -218,7 +219,7 @@ fn write_wires(path: &Path, wire: &WireData) -> Result<(), Fault> {
     let comment = "Net and wires of a mesh for the discrete element check: meshcast check --mesh-file THIS\nLengths m, mass kg, curves (strain, stress in MPa).";
     let text = commented(wire, comment)
         .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
-    project::create(path, &text).map_err(|e| match e {
+    create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),
         other => Fault::Failure(other.to_string()),
     })

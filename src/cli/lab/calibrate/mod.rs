@@ -8,13 +8,14 @@ use crate::cli::check::threads;
 use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::watch::Watch;
+use crate::cli::written::create;
 use crate::cli::{VERSION, quantity, wire};
 use crate::dem::{Controls, Fidelity};
 use crate::lab::calibrate::{Fit, FitOptions, FitTarget, anchored_reference, fit, unlike_steel};
 use crate::lab::paper::ANCHORED;
 use crate::mesh::wire::{CurvePoint, WireData};
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, catalogue, laws};
-use crate::project::{self, SaveError, commented};
+use crate::project::{SaveError, commented};
 use crate::show::objects::pair;
 use crate::show::value::{Object, Value, kn};
 use crate::study::ensemble::{self, Ensemble, Plan, Spread};
@@ -241,7 +242,7 @@ fn write_wires(path: &std::path::Path, r: &Result) -> std::result::Result<(), Fa
     );
     let text = commented(&r.fit.wire, &comment)
         .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
-    project::create(path, &text).map_err(|e| match e {
+    create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),
         other => Fault::Failure(other.to_string()),
     })

@@ -5,13 +5,14 @@ use crate::cli::VERSION;
 use crate::cli::check::threads;
 use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::watch::Watch;
+use crate::cli::written::create;
 use crate::dem::Flow;
 use crate::lab::fit::family::{LawParameters, WORDS};
 use crate::lab::fit::reference::{FitStart, question, search, source, starts};
 use crate::lab::fit::rows::{Ended, FitQuestion, FitScene, Measure};
 use crate::lab::fit::{FittedLaw, better};
 use crate::mesh::wire::WireData;
-use crate::project::{self, SaveError, commented};
+use crate::project::{SaveError, commented};
 use crate::show::value::{Object, Value};
 use crate::study::ensemble::EnsembleProgress;
 use crate::units::{shortest, significant, to_kn};
@@ -124,7 +125,7 @@ fn write(path: &Path, d: &Decision) -> Result<(), Fault> {
     );
     let text = commented(&wires(d), &comment)
         .ok_or_else(|| Fault::Failure("the fitted wires cannot be written as RON".into()))?;
-    project::create(path, &text).map_err(|e| match e {
+    create(path, &text).map_err(|e| match e {
         SaveError::Exists(path) => exists(&path),
         other => Fault::Failure(other.to_string()),
     })
