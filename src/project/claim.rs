@@ -9,7 +9,7 @@
 //! and on another one it cannot, which is said.
 
 use super::disk;
-use super::draft::{Draft, Place};
+use super::draft::{Draft, Place, Placed};
 use super::home::{Home, known};
 use super::load;
 use super::recovery::name_of_path;
@@ -79,6 +79,8 @@ impl Holder {
 pub struct Claim {
     path: PathBuf,
     file: File,
+    /// Whether the disk keeps locks: else nobody can tell whether its session still lives.
+    locked: bool,
 }
 
 /// How this session stands to a file.
@@ -98,6 +100,18 @@ impl Claimed {
         match self {
             Claimed::Theirs(holder) => Some(holder),
             Claimed::Mine(_) | Claimed::Nowhere => None,
+        }
+    }
+
+    /// What to tell of a file that is held, but not by a lock. Who comes second is told of this session by
+    /// [`Holder::text`], with its doubt.
+    pub(crate) fn doubt(&self) -> Option<&'static str> {
+        match self {
+            Claimed::Mine(Claim { locked: false, .. }) => Some(
+                "this disk keeps no locks, as some network drives: nobody is kept from saving the same \
+                 file, so edit it in one place at a time",
+            ),
+            Claimed::Mine(_) | Claimed::Theirs(_) | Claimed::Nowhere => None,
         }
     }
 }
@@ -171,7 +185,9 @@ fn claim_at(path: &Path, anyway: bool) -> io::Result<Claimed> {
         match put(path, place) {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
-            Ok(file) => return Ok(Claimed::Mine(Claim { path: path.to_path_buf(), file })),
+            Ok(Placed { file, locked, .. }) => {
+                return Ok(Claimed::Mine(Claim { path: path.to_path_buf(), file, locked }));
+            }
         }
     }
     Err(ErrorKind::ResourceBusy.into())
@@ -180,7 +196,7 @@ fn claim_at(path: &Path, anyway: bool) -> io::Result<Claimed> {
 /// Who holds by a claim that is there; nobody where its session is no more.
 fn held_by(path: &Path, former: &File) -> Option<Holder> {
     let unknown = || Holder { since: 0, ..Holder::new("another session", "an unknown machine") };
-    match former.try_lock() {
+    match disk::try_lock(former) {
         Ok(()) => None,
         Err(TryLockError::WouldBlock) => Some(read(path).unwrap_or_else(unknown)),
         Err(TryLockError::Error(_)) => {
@@ -194,12 +210,12 @@ fn read(path: &Path) -> Option<Holder> {
     known(&load::read_within(path, load::LARGEST_OWN_FILE).ok()?).ok()
 }
 
-fn put(path: &Path, place: Place) -> io::Result<File> {
+fn put(path: &Path, place: Place) -> io::Result<Placed> {
     let draft = Draft::new(path, false)?;
     let text = ron::ser::to_string_pretty(&Holder::this(), ron::ser::PrettyConfig::new())
         .map_err(io::Error::other)?;
     draft.write(format!("{text}\n").as_bytes())?;
-    Ok(draft.put(place)?.file)
+    draft.put(place)
 }
 
 #[cfg(test)]
@@ -271,6 +287,28 @@ mod tests {
             let mine = all.iter().filter(|claimed| matches!(claimed, Claimed::Mine(_))).count();
             assert_eq!(mine, 1, "{all:?}");
         }
+    }
+
+    /// Seen: on a network drive without locks nothing was said of it. Cause: that no lock was to be had was
+    /// passed over.
+    #[test]
+    fn a_disk_without_locks_is_told_and_who_comes_second_is_told_of_the_first() {
+        let dir = tempfile::tempdir().unwrap();
+        let (project, home) = (dir.path().join("p.ron"), Home::at(None));
+        let first = claim(&project, &home, false);
+        assert_eq!(first.doubt(), None, "a disk with locks");
+        drop(first);
+        disk::without_locks::on_it(|| {
+            let first = claim(&project, &home, false);
+            let said = first.doubt().expect("it is told");
+            assert!(said.contains("keeps no locks") && said.contains("one place"), "{said}");
+            // This process lives, so the claim counts; a claim of a process that is gone does not.
+            let second = claim(&project, &home, false);
+            let holder = second.holder().expect("it is held");
+            assert!(!holder.sure && holder.text().contains("keeps no locks"), "{}", holder.text());
+            let taken = mine(claim(&project, &home, true));
+            assert!(taken.holds() && !taken.locked);
+        });
     }
 
     #[test]

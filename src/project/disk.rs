@@ -1,6 +1,6 @@
 //! What the system knows of files beyond the standard library: which file it is, mode, owner, attributes.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;
 use std::time::SystemTime;
@@ -25,6 +25,35 @@ impl FileStamp {
 pub(super) use system::{
     dress, links, private, rename_to_free, runs, same_place, sync_directory, user_and_host,
 };
+
+/// Locks a file, if nobody else does; some disks, among them network drives, keep no locks.
+pub(super) fn try_lock(file: &File) -> Result<(), TryLockError> {
+    #[cfg(test)]
+    if without_locks::here() {
+        return Err(TryLockError::Error(io::ErrorKind::Unsupported.into()));
+    }
+    file.try_lock()
+}
+
+/// A disk without locks, for tests: what such a disk answers, to this thread.
+#[cfg(test)]
+pub(super) mod without_locks {
+    use std::cell::Cell;
+
+    thread_local!(static HERE: Cell<bool> = const { Cell::new(false) });
+
+    pub(super) fn here() -> bool {
+        HERE.get()
+    }
+
+    /// Does something on such a disk.
+    pub(in crate::project) fn on_it<T>(work: impl FnOnce() -> T) -> T {
+        HERE.set(true);
+        let done = work();
+        HERE.set(false);
+        done
+    }
+}
 
 /// Opens a file to be read, without waiting for whoever writes a pipe.
 pub(super) fn open_to_read(path: &Path) -> io::Result<File> {
@@ -104,14 +133,8 @@ mod system {
             let _ = fchown(file, owner, group).or_else(|_| fchown(file, None, group));
         }
         fchmod(file, Mode::from_raw_mode(old.st_mode))?;
-        let mut lost = Vec::new();
         let new = fstat(file)?;
-        if old.st_uid != new.st_uid {
-            lost.push(format!("its owner (user {})", old.st_uid));
-        }
-        if old.st_gid != new.st_gid {
-            lost.push(format!("its group ({})", old.st_gid));
-        }
+        let mut lost = strangers((old.st_uid, old.st_gid), (new.st_uid, new.st_gid));
         for name in names(like) {
             let Ok(name) = CStr::from_bytes_with_nul(&name) else { continue };
             if value(like, name) != value(file, name) && !carry(like, file, name) {
@@ -123,6 +146,13 @@ mod system {
             }
         }
         Ok(lost)
+    }
+
+    /// What a file loses that belongs to others after all: its owner and its group, by their numbers.
+    fn strangers(old: (u32, u32), new: (u32, u32)) -> Vec<String> {
+        let owner = (old.0 != new.0).then(|| format!("its owner (user {})", old.0));
+        let group = (old.1 != new.1).then(|| format!("its group ({})", old.1));
+        owner.into_iter().chain(group).collect()
     }
 
     /// Names of a file's attributes, each with its zero; none where the disk has no attributes.
@@ -230,6 +260,35 @@ mod system {
             for errno in [Errno::IO, Errno::NOSPC, Errno::DQUOT, Errno::STALE] {
                 assert!(!harmless(&errno.into()), "{errno:?}");
             }
+        }
+
+        #[test]
+        fn an_owner_or_group_that_a_save_would_lose_is_named() {
+            let anna = (1000, 100);
+            assert_eq!(strangers(anna, anna), Vec::<String>::new());
+            assert_eq!(strangers(anna, (1001, 100)), ["its owner (user 1000)"]);
+            assert_eq!(strangers(anna, (1000, 7)), ["its group (100)"]);
+            let both = ["its owner (user 1000)", "its group (100)"];
+            assert_eq!(strangers(anna, (1001, 7)), both);
+        }
+
+        /// Only root can make a file of somebody else's; where the tests run as root, the copy goes back to
+        /// its owner and nothing is lost.
+        #[test]
+        fn roots_save_leaves_a_file_with_its_owner() {
+            use rustix::fs::{Gid, Uid};
+            let dir = tempfile::tempdir().unwrap();
+            let make = |name: &str| {
+                let path = dir.path().join(name);
+                OpenOptions::new().read(true).write(true).create_new(true).open(path).unwrap()
+            };
+            let (old, new) = (make("old"), make("new"));
+            if fchown(&old, Some(Uid::from_raw(1)), Some(Gid::from_raw(1))).is_err() {
+                return;
+            }
+            assert_eq!(dress(&new, &old).unwrap(), Vec::<String>::new());
+            let about = fstat(&new).unwrap();
+            assert_eq!((about.st_uid, about.st_gid), (1, 1));
         }
 
         #[test]

@@ -37,6 +37,8 @@ pub(super) enum Place {
 pub(super) struct Placed {
     /// It, open and locked where the disk keeps locks.
     pub(super) file: File,
+    /// Whether the disk keeps locks.
+    pub(super) locked: bool,
     /// What the system said when the directory was to be brought to the disk: the file is in place, but
     /// may be gone after a loss of power.
     pub(super) unsure: Option<io::Error>,
@@ -50,6 +52,7 @@ pub(super) struct Draft {
     target: PathBuf,
     /// None once it is in its place.
     file: Option<File>,
+    locked: bool,
 }
 
 impl Draft {
@@ -72,8 +75,8 @@ impl Draft {
             match options.open(&path) {
                 Ok(file) => {
                     // Where the disk keeps no locks, nobody will know that it is in use.
-                    let _ = file.try_lock();
-                    return Ok(Draft { path, target, file: Some(file) });
+                    let locked = disk::try_lock(&file).is_ok();
+                    return Ok(Draft { path, target, file: Some(file), locked });
                 }
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
@@ -115,7 +118,7 @@ impl Draft {
         let file = self.file.take().ok_or(ErrorKind::NotFound)?;
         // The rename is on the disk once the directory is.
         let unsure = self.target.parent().and_then(|dir| disk::sync_directory(dir).err());
-        Ok(Placed { file, unsure })
+        Ok(Placed { file, locked: self.locked, unsure })
     }
 }
 
@@ -183,7 +186,7 @@ pub(super) fn sweep(dir: &Path) {
 /// Whether nobody is writing a draft any more.
 fn is_left(path: &Path) -> bool {
     let Ok(file) = disk::open(path) else { return false };
-    match file.try_lock() {
+    match disk::try_lock(&file) {
         // A draft is there for a moment before it is locked.
         Ok(()) => age(&file).is_some_and(|age| age > Duration::from_secs(2)),
         Err(fs::TryLockError::WouldBlock) => false,

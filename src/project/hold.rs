@@ -46,7 +46,7 @@ pub(super) fn hold(target: &Path) -> Result<Option<Held>, SaveError> {
             Err(error) if error.kind() == ErrorKind::NotFound => continue,
             Err(error) => return Err(failed(error)),
         };
-        match file.try_lock() {
+        match disk::try_lock(&file) {
             Err(TryLockError::WouldBlock) => thread::sleep(PAUSE),
             // A disk without locks: what can be seen is compared all the same.
             Ok(()) | Err(TryLockError::Error(_)) if disk::same_place(&file, target) => {

@@ -10,11 +10,18 @@ use crate::problem::Problem;
 use std::fs;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use std::sync::mpsc::channel;
+use std::thread;
+use std::time::Duration;
 
 /// Largest project file, in bytes. It bounds the time as well: the worst of this size takes some seconds.
 pub(crate) const LARGEST_FILE: u64 = 4 * 1024 * 1024;
 /// Largest file of the program's own, such as the settings: it is read at every start.
 pub(super) const LARGEST_OWN_FILE: u64 = 64 * 1024;
+
+/// How long a file may take to come from its disk. One that does not answer, such as a network drive that has
+/// gone, would keep whoever reads it waiting without end.
+const READING_TIME: Duration = Duration::from_secs(10);
 
 /// Most faults that an error holds; it shows fewer, and counts the rest.
 const MOST_FAULTS: usize = 50;
@@ -38,7 +45,7 @@ pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, LoadError> {
 }
 
 /// The one door through which files come in, whatever they are: an ordinary file of no more than a
-/// size. What is read as RON behind it has the limits of [`text::parser`], whoever reads it.
+/// size, which its disk gives within [`READING_TIME`]. What is read as RON behind it has the limits of [`text::parser`], whoever reads it.
 pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadError> {
     let shown = path.display().to_string();
     let fail = |cause: Cause, said: &str, advice: String| {
@@ -57,21 +64,27 @@ pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadErro
         ),
         _ => fail(Cause::Unreadable, &format!("the file cannot be read: {e}"), String::new()),
     };
-    let about = fs::metadata(path).map_err(io)?;
-    if about.is_dir() {
+    let from = path.to_path_buf();
+    let Some(read) = in_time(READING_TIME, move || content(&from, largest)) else {
         return Err(fail(
-            Cause::BadInput,
-            "this is a directory, not a file",
-            "name a file in it, such as project.ron".to_string(),
+            Cause::Unreadable,
+            &format!("the disk has not given the file within {} s", READING_TIME.as_secs()),
+            "is it on a network drive that cannot be reached?".to_string(),
         ));
-    }
-    if !about.is_file() {
-        return Err(fail(Cause::BadInput, "this is no ordinary file", String::new()));
-    }
-    let mut bytes = Vec::new();
-    // What was an ordinary file a moment ago may be a pipe by now, which must not be waited for.
-    let file = disk::open_to_read(path).map_err(io)?;
-    file.take(largest + 1).read_to_end(&mut bytes).map_err(io)?;
+    };
+    let bytes = match read.map_err(io)? {
+        Content::Bytes(bytes) => bytes,
+        Content::Directory => {
+            return Err(fail(
+                Cause::BadInput,
+                "this is a directory, not a file",
+                "name a file in it, such as project.ron".to_string(),
+            ));
+        }
+        Content::Other => {
+            return Err(fail(Cause::BadInput, "this is no ordinary file", String::new()));
+        }
+    };
     if bytes.len() as u64 > largest {
         let size = match largest / 1024 {
             kib if kib < 1024 => format!("{kib} KiB"),
@@ -84,6 +97,48 @@ pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadErro
         ));
     }
     Ok(bytes)
+}
+
+/// What is at a path.
+enum Content {
+    Directory,
+    Other,
+    /// An ordinary file's bytes, one more than the limit at most.
+    Bytes(Vec<u8>),
+}
+
+fn content(path: &Path, largest: u64) -> std::io::Result<Content> {
+    let about = fs::metadata(path)?;
+    if about.is_dir() {
+        return Ok(Content::Directory);
+    }
+    if !about.is_file() {
+        return Ok(Content::Other);
+    }
+    let mut bytes = Vec::new();
+    // What was an ordinary file a moment ago may be a pipe by now, which must not be waited for.
+    disk::open_to_read(path)?.take(largest + 1).read_to_end(&mut bytes)?;
+    Ok(Content::Bytes(bytes))
+}
+
+/// What some work gives, if it ends in time. Else its thread is left to itself: nothing can wake whoever waits
+/// for a disk.
+fn in_time<T: Send + 'static>(
+    time: Duration,
+    work: impl Fn() -> T + Send + Sync + 'static,
+) -> Option<T> {
+    let (tell, told) = channel();
+    let work = std::sync::Arc::new(work);
+    let theirs = std::sync::Arc::clone(&work);
+    let thread = thread::Builder::new().name("reading".to_owned()).spawn(move || {
+        // Nobody listens any more where it came too late.
+        let _ = tell.send(theirs());
+    });
+    match thread {
+        Ok(_) => told.recv_timeout(time).ok(),
+        // No thread is to be had: as well as it goes.
+        Err(_) => Some(work()),
+    }
 }
 
 /// Reads a table of the user's, such as a laboratory's curve or the runs of a campaign, whole and within a
@@ -233,6 +288,31 @@ mod tests {
             let known: &[KnownSettings] = &[];
             assert!(home.settings(known).is_err(), "{what}");
         }
+    }
+
+    /// Seen: a start waited without end for a project on a network drive that had gone. A pipe that nobody
+    /// writes to is such a disk, for whoever opens it as one opens a file.
+    #[cfg(unix)]
+    #[test]
+    fn a_disk_that_does_not_answer_is_not_waited_for() {
+        let dir = tempfile::tempdir().unwrap();
+        let (_, pipe) = BAD.iter().find(|(what, _)| *what == "a pipe").unwrap();
+        let path = dir.path().join("p.ron");
+        pipe(&path);
+        let theirs = path.clone();
+        let short = Duration::from_millis(50);
+        assert!(in_time(short, move || fs::read(&theirs).unwrap()).is_none());
+        // One that answers is heard, be it late: its writer comes after a while. The thread that was left
+        // still waits at the other pipe.
+        let path = dir.path().join("late.ron");
+        pipe(&path);
+        let theirs = path.clone();
+        thread::spawn(move || {
+            thread::sleep(short);
+            fs::write(theirs, "text").unwrap();
+        });
+        let long = Duration::from_secs(60);
+        assert_eq!(in_time(long, move || fs::read(&path).unwrap()).as_deref(), Some(&b"text"[..]));
     }
 
     #[test]

@@ -236,7 +236,7 @@ fn read(path: &Path) -> Option<Recovery> {
         return None;
     }
     let file = disk::open(path).ok()?;
-    match file.try_lock() {
+    match disk::try_lock(&file) {
         Err(TryLockError::WouldBlock) => return None,
         // A disk without locks does not tell the living from the dead.
         Ok(()) | Err(TryLockError::Error(_)) => {}

@@ -321,7 +321,8 @@ fn begin(document: &Document, home: &Home, claim: &Claimed) -> (Option<Recovery>
     let (offered, kept) = found.unzip();
     let unreadable = unreadable
         .map(|path| format!("edits kept from a lost session cannot be read: {}", path.display()));
-    let note = held.or(unreadable).or_else(|| migrated(document));
+    let doubt = || claim.doubt().map(str::to_owned);
+    let note = held.or(unreadable).or_else(|| migrated(document)).or_else(doubt);
     (offered, Beginning { kept, holder, note })
 }
 
