@@ -111,6 +111,9 @@ fn notes(
         notes.push(format!("characteristic force {}: {CHARACTERISTIC}", force_text(force)));
     }
     notes.extend(sentence(&v.catches()));
+    if let Some(arrangement) = &v.field.arrangement {
+        notes.push(format!("blocks: {arrangement}"));
+    }
     notes.push(format!(
         "peak {} at {}; stiffness at 75 % of the force {} kN/m; energy up to the first break {} kJ",
         force_text(v.peak.force),

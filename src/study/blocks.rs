@@ -145,7 +145,10 @@ fn single(
         }
         before = Some((n, now));
     }
-    let ensemble = paired::run_watched(&in_field(cells), controls, plan, progress, finished)?;
+    let mut ensemble = paired::run_watched(&in_field(cells), controls, plan, progress, finished)?;
+    if unsettled.is_some() {
+        ensemble.flags.push(CheckFlag::Unsettled);
+    }
     Ok(Stood { arrangement: Arrangement::Single(cells), unsettled, ensemble })
 }
 
@@ -212,6 +215,7 @@ mod tests {
         let outcome = &found.ensemble.runs[0].outcome;
         assert!(FIELDS.contains(&n) && outcome.anchors.len() == n * n, "{}", found.words());
         assert_eq!(found.unsettled.is_some(), found.words().contains("not converged"));
+        assert_eq!(found.unsettled.is_some(), found.ensemble.flags.contains(&CheckFlag::Unsettled));
         // Nearly all of a block's force goes to the anchors around its cell.
         let few = outcome.anchors_carrying(0.9);
         assert!((2..=n * n / 2).contains(&few), "{few} of {}", n * n);

@@ -57,8 +57,13 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .with("twists", grid.twists.word(), Twists::Down.word())
         .with("shape", layout.shape.word(), PunchShape::Dome.word())
         .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
+        .given("field", (anchored && layout.blocks == Blocks::Single).then_some(SINGLE))
         .finish()
 }
+
+/// How a single block is found and its field stepped. Raise it with what changes the numbers of single blocks
+/// alone: their kept checks are stale then, and no others.
+const SINGLE: u32 = 2;
 
 /// What blocks are taken for where nothing else is said.
 const REPEATED: &str = "repeated";

@@ -21,6 +21,8 @@ pub enum CheckFlag {
     Diverged,
     /// It was ended early.
     Cancelled,
+    /// More cells around a single block would still change it.
+    Unsettled,
     /// One that another version of the program knows; kept and shown as it is.
     Other(String),
 }
@@ -28,7 +30,12 @@ pub enum CheckFlag {
 impl CheckFlag {
     /// The flag of this code.
     pub fn from_code(code: &str) -> CheckFlag {
-        let known = [CheckFlag::Bifurcation, CheckFlag::Diverged, CheckFlag::Cancelled];
+        let known = [
+            CheckFlag::Bifurcation,
+            CheckFlag::Diverged,
+            CheckFlag::Cancelled,
+            CheckFlag::Unsettled,
+        ];
         known
             .into_iter()
             .find(|flag| flag.code() == code)
@@ -41,6 +48,7 @@ impl CheckFlag {
             CheckFlag::Bifurcation => "bifurcation",
             CheckFlag::Diverged => "diverged",
             CheckFlag::Cancelled => "cancelled",
+            CheckFlag::Unsettled => "not_converged",
             CheckFlag::Other(code) => code,
         }
     }
@@ -67,6 +75,8 @@ pub(crate) enum CheckRemark {
     Diverged(Option<usize>),
     /// It was ended early; so many runs are whole.
     Cancelled(Option<usize>),
+    /// More cells around a single block would still change it.
+    Unsettled,
     /// So many runs of so many slipped through without a break.
     Slipped(Option<(usize, usize)>),
     /// So many runs came to the displacement limit without a break.
@@ -96,6 +106,7 @@ impl CheckRemark {
             CheckRemark::Bifurcation(_) => "bifurcation",
             CheckRemark::Diverged(_) => "diverged",
             CheckRemark::Cancelled(_) => "cancelled",
+            CheckRemark::Unsettled => "not_converged",
             CheckRemark::Slipped(_) => "slipped",
             CheckRemark::DisplacementLimit(_) => "displacement_limit",
             CheckRemark::StandardError(_) => "standard_error",
@@ -129,6 +140,7 @@ impl CheckRemark {
             CheckRemark::Diverged(Some(runs)) => format!("{runs} runs diverged"),
             CheckRemark::Diverged(None) => "runs diverged".into(),
             CheckRemark::Cancelled(_) => "ended early".into(),
+            CheckRemark::Unsettled => "not converged: field too small".into(),
             CheckRemark::Slipped(Some((slipped, runs))) => {
                 format!("slipped through: {slipped} of {runs}")
             }
@@ -175,6 +187,9 @@ impl CheckRemark {
                     None => "runs that were".into(),
                 };
                 format!("ended early: the figures are of the {who} whole")
+            }
+            CheckRemark::Unsettled => {
+                "a single block, not converged: in a still larger field the net slides towards the block from farther away, which lowers the force and raises the deflection; by how much the last larger field did stands with the blocks".into()
             }
             CheckRemark::Slipped(runs) => {
                 let who = runs.map_or("runs".into(), |(slipped, runs)| {
@@ -304,6 +319,7 @@ impl Facts<'_> {
             CheckFlag::Bifurcation => CheckRemark::Bifurcation(self.probe),
             CheckFlag::Diverged => CheckRemark::Diverged(self.diverged),
             CheckFlag::Cancelled => CheckRemark::Cancelled(Some(self.runs)),
+            CheckFlag::Unsettled => CheckRemark::Unsettled,
             CheckFlag::Other(code) => CheckRemark::Other(code.clone()),
         }
     }

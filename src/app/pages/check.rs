@@ -5,6 +5,7 @@ use crate::app::App;
 use crate::app::work::live::LIVE_RUNS;
 use crate::app::work::shown::Standing;
 use crate::dem::outcome::Quality;
+use crate::layout::Blocks;
 use crate::show::say;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
@@ -70,7 +71,9 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
         page.row("patterns", &patterns);
     }
     if let Some(arrangement) = &v.field.arrangement {
-        page.row("blocks", &format!("{arrangement}, the lowest of the arrangements computed"));
+        let lowest = app.layout().layout.blocks == Blocks::Worst;
+        let of = if lowest { ", the lowest of the arrangements computed" } else { "" };
+        page.row("blocks", &format!("{arrangement}{of}"));
     }
     if let Some(a) = v.anchor() {
         let [normal, largest] = [a.normal, a.largest].map(force_text);

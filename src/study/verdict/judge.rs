@@ -1,5 +1,6 @@
 //! How a verdict is made: each check by each panel that there is, and the worst of them.
 
+use super::super::remark::CheckFlag;
 use super::super::result::CheckResult;
 use super::{Aspect, Basis, Checked, Judge, Simulated, State, Verdict, VerdictRemark};
 use crate::case::{Case, CasePoint, CaseValue, Derived, NoValue};
@@ -252,6 +253,9 @@ fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<Verd
         Simulated::Current(result) => {
             if result.runs == 1 {
                 remarks.push(VerdictRemark::OneRun);
+            }
+            if result.flags.contains(&CheckFlag::Unsettled) {
+                remarks.push(VerdictRemark::Unsettled);
             }
             if forecast.field.is_ok_and(|f| apart(&f, result)) {
                 remarks.push(VerdictRemark::Apart);

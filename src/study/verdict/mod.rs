@@ -224,6 +224,8 @@ pub enum VerdictRemark {
     Extrapolated,
     /// The laws that fit the tests of an adopted mesh differ by more than a plain pass allows.
     WideLaws,
+    /// The check is of a single block in a field that is too small.
+    Unsettled,
 }
 
 impl VerdictRemark {
@@ -235,6 +237,7 @@ impl VerdictRemark {
             VerdictRemark::OneRun => "one_run",
             VerdictRemark::Extrapolated => "extrapolated",
             VerdictRemark::WideLaws => "wide_laws",
+            VerdictRemark::Unsettled => "check_not_converged",
         }
     }
 
@@ -254,6 +257,7 @@ impl VerdictRemark {
             VerdictRemark::OneRun => "one run, no lower value",
             VerdictRemark::Extrapolated => "extrapolated",
             VerdictRemark::WideLaws => "law of the mesh uncertain",
+            VerdictRemark::Unsettled => "check not converged",
         }
     }
 
@@ -266,6 +270,9 @@ impl VerdictRemark {
             }
             VerdictRemark::OneRun => "a check of one run has no characteristic value",
             VerdictRemark::Extrapolated => "the forecast is extrapolated",
+            VerdictRemark::Unsettled => {
+                "the check of a single block is not converged; in a larger field it would take less"
+            }
             VerdictRemark::WideLaws => {
                 "the laws that fit the tests of this mesh differ by more than 15 %; more data would narrow them"
             }

@@ -8,6 +8,7 @@ use crate::fingerprint::Fingerprint;
 use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::study::ensemble::Spread;
 use crate::study::mend::{Mend, mend};
+use crate::study::remark::CheckFlag;
 use crate::study::result::{FieldFigures, Revisions, Sampled, Wanted};
 
 /// Double twist 8x10, d 0.25, D 0.6 m, 20 kN, 0.4 m allowed.
@@ -180,6 +181,14 @@ fn the_larger_use_of_forecast_and_check_counts() {
     case.question.force = Some(12_000.0);
     let v = with(&case, Simulated::Current(&low), Basis::Characteristic);
     assert_eq!((v.finding(), v.finding().mark()), (Finding::Doubtful, '?'));
+    // A single block that a larger field would change is a caution of its own.
+    let mut single = check(12.1, [12.0, 30.0], 8);
+    single.flags.push(CheckFlag::Unsettled);
+    let v = with(&case, Simulated::Current(&single), Basis::Mean);
+    assert_eq!(
+        (v.finding(), v.remarks.as_slice()),
+        (Finding::Doubtful, &[VerdictRemark::Unsettled][..])
+    );
     // A stronger check leaves the forecast's use.
     let v = with(&case, Simulated::Current(&check(24.0, [22.0, 26.0], 8)), Basis::Mean);
     assert_eq!((v.checks[0].judge, v.remarks.len()), (Some(Judge::Forecast), 0));
