@@ -108,6 +108,14 @@ enum Command {
     Bench(lab::bench::BenchArgs),
     Mesh(mesh::MeshArgs),
     Validate(lab::validate::ValidateArgs),
+    /// The manual page of the program or of a command, to standard output.
+    ///
+    /// To read it: meshcast man check > meshcast-check.1; man ./meshcast-check.1
+    Man {
+        /// A command.
+        #[arg(value_name = "COMMAND")]
+        command: Option<String>,
+    },
     /// Completions of a shell, to standard output.
     ///
     /// For bash: meshcast completions bash > ~/.local/share/bash-completion/completions/meshcast
@@ -164,12 +172,37 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Bench(args) => lab::bench::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Validate(args) => lab::validate::run(&args),
+        Command::Man { command } => manual(command.as_deref()),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Root::command(), "meshcast", &mut script);
             output::result(String::from_utf8_lossy(&script).into_owned())
         }
     }
+}
+
+/// The manual page of a command, or of the program.
+fn manual(command: Option<&str>) -> CommandEnd {
+    let mut root = Root::command();
+    root.build();
+    let about = match command {
+        None => root,
+        Some(name) => match root.find_subcommand(name) {
+            Some(found) => found.clone(),
+            None => {
+                let names: Vec<&str> =
+                    root.get_subcommands().map(clap::Command::get_name).collect();
+                let meant = nearest(name, &names);
+                let meant = meant.map_or(String::new(), |m| format!("; did you mean {m}?"));
+                return Err(Fault::input(format!("there is no command {name:?}{meant}")));
+            }
+        },
+    };
+    let mut page = Vec::new();
+    clap_mangen::Man::new(about)
+        .render(&mut page)
+        .map_err(|e| Fault::Failure(format!("the manual page cannot be made: {e}")))?;
+    output::result(String::from_utf8_lossy(&page).into_owned())
 }
 
 fn open(project: Option<PathBuf>, ui: UiFlags, start: StartFlags) -> ExitCode {

@@ -3,16 +3,27 @@
 use super::case::unknown_layout;
 use super::output::Fault;
 use crate::export::{ExportedLayout, exported};
-use crate::project::{Opened, load};
+use crate::project::{LoadError, Opened, load, load_stream};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A project file on the command line.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ProjectFile {
-    /// Project file.
+    /// Project file; - for standard input.
     #[arg(value_name = "PROJECT.ron")]
     pub(crate) path: PathBuf,
+}
+
+/// Reads the project of a command: a file, or `-` for standard input.
+///
+/// # Errors
+/// What is wrong in it.
+pub(crate) fn load_project(path: &Path) -> Result<Opened, LoadError> {
+    match path.as_os_str() == "-" {
+        true => load_stream(std::io::stdin().lock(), "standard input"),
+        false => load(path),
+    }
 }
 
 impl ProjectFile {
@@ -21,7 +32,7 @@ impl ProjectFile {
     /// # Errors
     /// What is wrong in the file or with the name.
     pub(crate) fn open(&self, only: Option<&str>) -> Result<(Opened, Vec<ExportedLayout>), Fault> {
-        let opened = load(&self.path)?;
+        let opened = load_project(&self.path)?;
         let project = &opened.project;
         let found = match only {
             None => exported(project),

@@ -50,6 +50,15 @@ pub fn load(path: &Path) -> Result<Opened, LoadError> {
     Ok(Document::opened(Some(path.to_path_buf()), Some(text), parsed))
 }
 
+/// Reads a project that another program hands over; `shown` is its name for messages.
+///
+/// # Errors
+/// All that is wrong, as a message that fits one screen.
+pub(crate) fn load_stream(source: impl std::io::Read, shown: &str) -> Result<Opened, LoadError> {
+    let bytes = super::load::read_stream(source, shown)?;
+    parse(&decode_utf8(bytes, shown)?, shown)
+}
+
 /// Reads a project from a text that stands in no file yet; `file_name` is for messages.
 ///
 /// # Errors

@@ -72,31 +72,41 @@ pub(super) fn read_within(path: &Path, largest: u64) -> Result<Vec<u8>, LoadErro
             "is it on a network drive that cannot be reached?".to_string(),
         ));
     };
-    let bytes = match read.map_err(io)? {
-        Content::Bytes(bytes) => bytes,
-        Content::Directory => {
-            return Err(fail(
-                Cause::BadInput,
-                "this is a directory, not a file",
-                "name a file in it, such as project.ron".to_string(),
-            ));
-        }
-        Content::Other => {
-            return Err(fail(Cause::BadInput, "this is no ordinary file", String::new()));
-        }
-    };
-    if bytes.len() as u64 > largest {
-        let size = match largest / 1024 {
-            kib if kib < 1024 => format!("{kib} KiB"),
-            kib => format!("{} MiB", kib / 1024),
-        };
-        return Err(fail(
+    match read.map_err(io)? {
+        Content::Bytes(bytes) => within(bytes, largest, &shown),
+        Content::Directory => Err(fail(
             Cause::BadInput,
-            &format!("the file is larger than {size}"),
-            "a project is a text of some kilobytes; is this the right file?".to_string(),
-        ));
+            "this is a directory, not a file",
+            "name a file in it, such as project.ron".to_string(),
+        )),
+        Content::Other => Err(fail(Cause::BadInput, "this is no ordinary file", String::new())),
     }
-    Ok(bytes)
+}
+
+/// The same of a project that another program hands over.
+pub(super) fn read_stream(source: impl Read, shown: &str) -> Result<Vec<u8>, LoadError> {
+    let mut bytes = Vec::new();
+    source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(|e| {
+        let fault = FileFault::whole(&format!("it cannot be read: {e}"), String::new());
+        LoadError::new(shown, Cause::Unreadable, vec![fault])
+    })?;
+    within(bytes, LARGEST_FILE, shown)
+}
+
+/// What was read, where it is no larger than a size.
+fn within(bytes: Vec<u8>, largest: u64, shown: &str) -> Result<Vec<u8>, LoadError> {
+    if bytes.len() as u64 <= largest {
+        return Ok(bytes);
+    }
+    let size = match largest / 1024 {
+        kib if kib < 1024 => format!("{kib} KiB"),
+        kib => format!("{} MiB", kib / 1024),
+    };
+    let fault = FileFault::whole(
+        &format!("the file is larger than {size}"),
+        "a project is a text of some kilobytes; is this the right file?".to_string(),
+    );
+    Err(LoadError::new(shown, Cause::BadInput, vec![fault]))
 }
 
 /// What is at a path.

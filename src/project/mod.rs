@@ -41,7 +41,7 @@ pub mod write;
 pub use claim::{Claimed, Holder, claim};
 pub use difference::difference;
 pub(crate) use disk::FileStamp;
-pub(crate) use document::Document;
+pub(crate) use document::{Document, load_stream};
 pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;

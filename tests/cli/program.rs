@@ -74,6 +74,37 @@ fn every_shell_gets_completions_of_every_command() {
 }
 
 #[test]
+fn there_is_a_manual_page_of_the_program_and_of_each_command() {
+    let page = good(&["man"]);
+    assert!(page.contains(".TH meshcast 1") && page.contains("force\\-deflection"), "{page}");
+    let page = good(&["man", "check"]);
+    assert!(page.contains("meshcast\\-check") && page.contains("\\-\\-fidelity"), "{page}");
+    let none = run(&["man", "chek"]);
+    assert!(none.code == 2 && none.err.contains("did you mean"), "{}", none.err);
+}
+
+/// A project can come from another program: the answers are those of the file.
+#[test]
+fn a_project_is_taken_from_standard_input() {
+    let (_keep, path) = super::file("road.ron", super::PROJECT);
+    for words in [
+        &["forecast", "-", "--format", "csv"][..],
+        &["compare", "-", "--format", "csv"],
+        &["export", "-", "--format", "csv"],
+        &["design", "-", "--format", "json"],
+    ] {
+        let mut command = command(words);
+        let ran = ran(command.stdin(std::fs::File::open(&path).unwrap()).output().unwrap());
+        assert_eq!(ran.code, 0, "{words:?}: {}", ran.err);
+        let of_file: Vec<&str> =
+            words.iter().map(|w| if *w == "-" { shown(&path) } else { w }).collect();
+        assert_eq!(ran.out, good(&of_file), "{words:?}");
+    }
+    let bad = ran(command(&["forecast", "-"]).stdin(std::process::Stdio::null()).output().unwrap());
+    assert!(bad.code == 2 && bad.err.contains("standard input"), "{}", bad.err);
+}
+
+#[test]
 fn a_written_file_is_named_by_its_whole_path() {
     let folder = tempfile::tempdir().unwrap();
     let (_keep, path) = super::file("road.ron", super::PROJECT);
