@@ -86,8 +86,10 @@ pub struct LabRecord {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Statistic {
     /// Mean of a series, or a single (simulated) test.
+    #[serde(alias = "mean")]
     Mean,
     /// Characteristic value (a low fractile), as a product standard declares it.
+    #[serde(alias = "characteristic")]
     Characteristic,
 }
 

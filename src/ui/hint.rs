@@ -97,11 +97,12 @@ fn prompt(
     }
     match entry.target {
         EditTarget::Value(field) => {
-            let text = format!(
-                " {}: {}; Enter takes, Esc drops",
-                field.row().phrase,
-                field.allowed_in(&app.layout().layout, app.units())
-            );
+            let allowed = field.allowed_in(&app.layout().layout, app.units());
+            let text = format!(" {}: {allowed}", field.row().phrase);
+            // The keys are said whole or not at all.
+            let keys = ["; Enter takes, Esc drops", "; Enter, Esc", ""];
+            let fits = |keys: &&str| width(&text) + width(keys) <= row.width;
+            let text = format!("{text}{}", keys.into_iter().find(fits).unwrap_or_default());
             put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), theme.text);
             None
         }

@@ -75,8 +75,9 @@ fn kept_together(blocks: &[Block]) -> Vec<&[Block]> {
     let mut rest = blocks;
     while !rest.is_empty() {
         let headings = rest.iter().take_while(|b| matches!(b, Block::Heading(..))).count();
-        let words =
-            |b: &&Block| matches!(b, Block::Paragraph(_) | Block::List(_) | Block::Equation(..));
+        let words = |b: &&Block| {
+            matches!(b, Block::Paragraph(_) | Block::List(_) | Block::Equation(..) | Block::Free(_))
+        };
         let said = rest[headings..].iter().take_while(words).count();
         let shown = matches!(
             rest.get(headings + said),
