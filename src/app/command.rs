@@ -6,7 +6,7 @@ use super::look::{ColorMode, Glyphs};
 use super::message::Command;
 use crate::layout::{PunchShape, Twists};
 use crate::study::verdict::Basis;
-use crate::units::LengthUnit;
+use crate::units::ChosenUnits;
 use crate::words::Choice;
 use std::path::{Path, PathBuf};
 
@@ -73,11 +73,10 @@ impl App {
                 let said = self.editor.set_shape(shape);
                 self.inform(said);
             }
-            "units" => match rest {
-                "m" => self.editor.set_units(LengthUnit::Metre),
-                "mm" => self.editor.set_units(LengthUnit::Millimetre),
-                _ => return Err("units m or units mm".into()),
-            },
+            "units" => {
+                let chosen = ChosenUnits::read(rest).map_err(|e| format!("units: {e}"))?;
+                self.editor.set_units(chosen);
+            }
             "glyphs" => match rest {
                 "braille" => self.screen.set_glyphs(Glyphs::Braille),
                 "block" => self.screen.set_glyphs(Glyphs::Block),

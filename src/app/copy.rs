@@ -82,7 +82,7 @@ impl App {
                 if let Some(shown) = self.shown_check().filter(|shown| shown.result.broke()) {
                     text += &format!(
                         "; check {}, {}{}",
-                        force_text(shown.result.force.mean),
+                        force_text(shown.result.force.mean, self.units()),
                         m(shown.result.deflection.mean),
                         if shown.stale() { " (stale)" } else { "" }
                     );

@@ -3,7 +3,7 @@
 use super::entry::{EditTarget, LineEntry};
 use super::key::Key;
 use crate::mesh::{LabRecord, MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic};
-use crate::units::{LengthUnit, Quantity, parse_typed};
+use crate::units::{Quantity, Units, parse_typed};
 
 /// A row: what it is called, the field of the mesh, and what is to be typed.
 pub(crate) struct FormRow {
@@ -74,7 +74,7 @@ impl MeshForm {
     }
 
     /// The mesh that is typed; else the field that is wrong, and why.
-    pub(super) fn mesh(&self, unit: LengthUnit) -> Result<MeshType, (&'static str, String)> {
+    pub(super) fn mesh(&self, unit: Units) -> Result<MeshType, (&'static str, String)> {
         let text = |row: usize| self.lines[row].text().trim();
         let number = |row: usize, quantity| {
             parse_typed(text(row), quantity, unit).map_err(|e| (ROWS[row].field, e.to_string()))

@@ -6,7 +6,7 @@ use super::settings::{SettingItem, Settings};
 use crate::export::ExportKind;
 use crate::job::{News, Order};
 use crate::project::{Holder, Project};
-use crate::units::LengthUnit;
+use crate::units::Units;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -175,7 +175,7 @@ pub enum Command {
         /// The layout selected, an index.
         layout: usize,
         /// Unit of lengths.
-        unit: LengthUnit,
+        unit: Units,
         /// Where to; beside the project under a free name where nothing is said.
         path: Option<PathBuf>,
         /// Whether to replace a file that is there.

@@ -53,7 +53,7 @@ use crate::project::Holder;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::Wanted;
 use crate::study::result::remade::Former;
-use crate::units::LengthUnit;
+use crate::units::{ChosenUnits, Units};
 use derived::LayoutResult;
 use editor::{Editor, History, MeshChoice};
 use entry::Slot;
@@ -103,7 +103,7 @@ pub struct Start {
     /// The look of the screen.
     pub look: Look,
     /// Unit of lengths asked for on the command line, over the project's own.
-    pub units: Option<LengthUnit>,
+    pub units: ChosenUnits,
     /// Columns and rows.
     pub size: (u16, u16),
     /// Settings, and where they come from.
@@ -120,7 +120,7 @@ impl Start {
             kept: None,
             holder: None,
             look: Look::default(),
-            units: None,
+            units: ChosenUnits::default(),
             size: (80, 24),
             preferences: Preferences::default(),
         }
@@ -248,7 +248,7 @@ impl App {
     }
 
     /// Unit of lengths on the screen.
-    pub fn units(&self) -> LengthUnit {
+    pub fn units(&self) -> Units {
         self.editor.units()
     }
 

@@ -70,7 +70,7 @@ impl App {
         // The same file read anew is looked at where it was left.
         let again = self.path() == Some(path.as_path());
         let left = again.then(|| (self.layout().name.clone(), self.field()));
-        self.editor = Editor::new(project, Some(path), self.settings().units);
+        self.editor = Editor::new(project, Some(path), self.settings().chosen_units());
         if let Some((name, field)) = left {
             let same = self.editor.layouts().iter().position(|l| l.name == name);
             self.editor.select(same.unwrap_or(0));

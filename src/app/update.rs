@@ -232,7 +232,10 @@ impl App {
                 let said = self.editor.toggle_method();
                 self.inform(said);
             }
-            Action::Units => self.editor.set_units(self.units().other()),
+            Action::Units => {
+                let length = Some(self.units().length.other());
+                self.editor.set_units(crate::units::ChosenUnits { length, force: None });
+            }
             Action::Basis => {
                 let said = self.editor.set_basis(self.project().basis.other());
                 self.inform(said);

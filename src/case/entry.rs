@@ -3,7 +3,7 @@
 use super::input::Input;
 use super::range::Range;
 use crate::layout::Layout;
-use crate::units::{self, LengthUnit, Quantity, significant, to_kn};
+use crate::units::{self, Quantity, Units, significant};
 
 /// A step of a value by an arrow key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,12 +20,12 @@ const STEP_GRAIN: f64 = 1.0e4;
 
 impl Input {
     /// The sign of the unit in which it is shown.
-    pub(crate) fn unit(self, lengths: LengthUnit) -> &'static str {
+    pub(crate) fn unit(self, shown: Units) -> &'static str {
         match self.row().quantity {
-            Quantity::Length => lengths.symbol(),
-            Quantity::Force => "kN",
+            Quantity::Length => shown.symbol(),
+            Quantity::Force => shown.force_symbol(),
             // As kN/m2, in fewer columns.
-            Quantity::Pressure => "kPa",
+            Quantity::Pressure => shown.pressure_symbol(),
             Quantity::Number => "",
         }
     }
@@ -40,11 +40,10 @@ impl Input {
     }
 
     /// What it may be in a layout, as text in the unit shown.
-    pub(crate) fn allowed_in(self, layout: &Layout, lengths: LengthUnit) -> String {
+    pub(crate) fn allowed_in(self, layout: &Layout, shown: Units) -> String {
         let limits = self.row().range.limits(layout);
-        let (min, max) =
-            (self.entry_text(limits.min, lengths), self.entry_text(limits.max, lengths));
-        let unit = self.unit(lengths);
+        let (min, max) = (self.entry_text(limits.min, shown), self.entry_text(limits.max, shown));
+        let unit = self.unit(shown);
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         match self.row().range {
             Range::Spacing => {
@@ -62,13 +61,11 @@ impl Input {
     }
 
     /// A value as it is entered and shown among the inputs, without its unit: as exact as it is.
-    pub(crate) fn entry_text(self, value: f64, lengths: LengthUnit) -> String {
+    pub(crate) fn entry_text(self, value: f64, shown: Units) -> String {
         match self.row().quantity {
-            Quantity::Length => units::length_entry(value, lengths),
-            Quantity::Force | Quantity::Pressure => {
-                let text = units::shortest(to_kn(value));
-                text.strip_suffix(".0").unwrap_or(&text).to_string()
-            }
+            Quantity::Length => units::length_entry(value, shown),
+            Quantity::Force => units::force_entry(value, shown),
+            Quantity::Pressure => units::pressure_entry(value, shown),
             Quantity::Number => units::shortest(value),
         }
     }
@@ -81,14 +78,14 @@ impl Input {
         self,
         text: &str,
         layout: &Layout,
-        lengths: LengthUnit,
+        shown: Units,
     ) -> Result<Option<f64>, String> {
         if text.trim().is_empty() && self.clearable() {
             return Ok(None);
         }
-        let value = units::parse_typed(text, self.row().quantity, lengths)
-            .map_err(|e| format!("{e}; allowed {}", self.allowed_in(layout, lengths)))?;
-        self.check(value, layout, lengths)?;
+        let value = units::parse_typed(text, self.row().quantity, shown)
+            .map_err(|e| format!("{e}; allowed {}", self.allowed_in(layout, shown)))?;
+        self.check(value, layout, shown)?;
         Ok(Some(value))
     }
 
@@ -96,16 +93,11 @@ impl Input {
     ///
     /// # Errors
     /// The allowed range, as a sentence.
-    pub(crate) fn check(
-        self,
-        value: f64,
-        layout: &Layout,
-        lengths: LengthUnit,
-    ) -> Result<(), String> {
+    pub(crate) fn check(self, value: f64, layout: &Layout, shown: Units) -> Result<(), String> {
         if self.row().range.limits(layout).hold(value) {
             Ok(())
         } else {
-            Err(format!("{} must be {}", self.word(), self.allowed_in(layout, lengths)))
+            Err(format!("{} must be {}", self.word(), self.allowed_in(layout, shown)))
         }
     }
 
@@ -127,14 +119,13 @@ impl Input {
 
 /// A value of a study's input in the unit shown, without its sign: lengths at a tenth of a millimetre,
 /// forces at four digits.
-pub(crate) fn input_value(input: Input, value: f64, unit: LengthUnit) -> String {
-    if input.is_force() {
-        return significant(to_kn(value), 4);
+pub(crate) fn input_value(input: Input, value: f64, unit: Units) -> String {
+    match input.row().quantity {
+        Quantity::Force => return unit.force_number(value, 4),
+        Quantity::Pressure => return significant(unit.pressure(value), 4),
+        Quantity::Length | Quantity::Number => {}
     }
-    let (decimals, least) = match unit {
-        LengthUnit::Metre => (4, 2),
-        LengthUnit::Millimetre => (1, 0),
-    };
+    let (decimals, least) = unit.study_decimals();
     // Never the negative zero.
     let mut text = format!("{:.decimals$}", value * unit.per_metre() + 0.0);
     for _ in least..decimals {
@@ -145,8 +136,18 @@ pub(crate) fn input_value(input: Input, value: f64, unit: LengthUnit) -> String 
     text.trim_end_matches('.').to_string()
 }
 
+/// A value, SI, as a number in the unit shown, for the axis of a picture.
+pub(crate) fn shown(input: Input, value: f64, unit: Units) -> f64 {
+    match input.row().quantity {
+        Quantity::Force => unit.force(value),
+        Quantity::Pressure => unit.pressure(value),
+        Quantity::Length => value * unit.per_metre(),
+        Quantity::Number => value,
+    }
+}
+
 /// The sign of the unit in which an input is shown.
-pub(crate) fn input_unit(input: Input, unit: LengthUnit) -> &'static str {
+pub(crate) fn input_unit(input: Input, unit: Units) -> &'static str {
     input.unit(unit)
 }
 
@@ -162,23 +163,23 @@ mod tests {
 
     #[test]
     fn results_show_lengths_at_a_tenth_of_a_millimetre_and_forces_at_four_digits() {
-        let m = |v| input_value(Input::Spacing, v, LengthUnit::Metre);
+        let m = |v| input_value(Input::Spacing, v, Units::METRES);
         assert_eq!(
             [m(2.0), m(1.125), m(-0.038_46), m(10.25)],
             ["2.00", "1.125", "-0.0385", "10.25"]
         );
-        let mm = |v| input_value(Input::Spacing, v, LengthUnit::Millimetre);
+        let mm = |v| input_value(Input::Spacing, v, Units::MILLIMETRES);
         assert_eq!([mm(2.0), mm(0.1125), mm(0.0)], ["2000", "112.5", "0"]);
-        assert_eq!(input_value(Input::LabForce, 73_300.0, LengthUnit::Metre), "73.30");
+        assert_eq!(input_value(Input::LabForce, 73_300.0, Units::METRES), "73.30");
     }
 
     /// The file takes a design force of exactly 10 000 kN; the screen takes it as well.
     #[test]
     fn the_largest_value_that_a_file_takes_is_taken_on_the_screen() {
         for (input, text) in [(Input::DesignForce, "10000"), (Input::AllowableDeflection, "10")] {
-            let read = input.read(text, &REFERENCE, LengthUnit::Metre);
+            let read = input.read(text, &REFERENCE, Units::METRES);
             assert_eq!(read.map(|v| v.and_then(|v| input.problem(v))), Ok(None), "{input:?}");
-            assert!(input.read("10001", &REFERENCE, LengthUnit::Metre).is_err());
+            assert!(input.read("10001", &REFERENCE, Units::METRES).is_err());
         }
     }
 

@@ -12,7 +12,7 @@ mod range;
 mod table;
 
 pub use crate::forecast::design::Question;
-pub(crate) use entry::{StepSize, input_unit, input_value};
+pub(crate) use entry::{StepSize, input_unit, input_value, shown};
 pub use input::Input;
 
 use crate::fingerprint::Fingerprint;

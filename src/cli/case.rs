@@ -3,6 +3,7 @@
 use super::UiFlags;
 use super::choice::one_of;
 use super::input_flags::InputFlags;
+use super::opening::load_project;
 use super::output::Fault;
 use super::quantity;
 use crate::case::input::LX;
@@ -10,10 +11,10 @@ use crate::case::{Case, Input};
 use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, REFERENCE, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
-use crate::project::{self, NamedLayout, Project};
+use crate::project::{NamedLayout, Project};
 use crate::study::result::CheckResult;
 use crate::study::verdict::Basis;
-use crate::units::LengthUnit;
+use crate::units::Units;
 use crate::words::{Choice, nearest};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -47,8 +48,8 @@ pub(crate) struct NamedCase {
 pub(crate) struct Loaded {
     /// One, or those of a project in its order.
     pub(crate) cases: Vec<NamedCase>,
-    /// Unit of lengths in texts: of the flag, the project, or metres.
-    pub(crate) unit: LengthUnit,
+    /// Units in texts: of the flag, the project, or m and kN.
+    pub(crate) unit: Units,
     /// Which capacity verdicts go by: the project's, or the mean.
     pub(crate) basis: Basis,
     /// Whether the result is a list, also of one or of none: all layouts of a project.
@@ -65,7 +66,7 @@ impl Source {
             Some(path) => self.inputs.of_file(path, self.layout.as_deref(), ui),
             None => Ok(Loaded {
                 cases: vec![self.inputs.alone()?],
-                unit: ui.units.unwrap_or_default(),
+                unit: ui.units_over(Units::default()),
                 basis: Basis::default(),
                 several: false,
             }),
@@ -177,10 +178,10 @@ impl Inputs {
         only: Option<&str>,
         ui: &UiFlags,
     ) -> Result<Loaded, Fault> {
-        let opened = project::load(path)?;
+        let opened = load_project(path)?;
         Ok(Loaded {
             cases: self.of_project(&opened.project, only)?,
-            unit: ui.units.unwrap_or(opened.project.display.length_unit),
+            unit: ui.units_over(opened.project.display.units),
             basis: opened.project.basis,
             several: only.is_none(),
         })

@@ -83,7 +83,7 @@ impl What {
 pub(crate) fn run(args: &ExportArgs, ui: &UiFlags) -> CommandEnd {
     let what = what(args)?;
     let (opened, cases) = args.project.open(args.layout.as_deref())?;
-    let unit = ui.units.unwrap_or(opened.project.display.length_unit);
+    let unit = ui.units_over(opened.project.display.units);
     let without = cases.iter().filter_map(|case| Some((case, case.forecast().field.err()?)));
     let notes: Vec<String> = without
         .map(|(case, why)| format!("layout {:?}: {}", case.entry.name, why.sentence()))

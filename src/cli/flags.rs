@@ -1,10 +1,10 @@
 //! Flags of the interactive program, which every subcommand takes too.
 
-use super::choice::{explained, one_of};
+use super::choice::explained;
 use crate::app::look::{ColorChoice, Glyphs};
 use crate::app::settings::{SettingItem, Settings};
 use crate::study::exactness::Exactness;
-use crate::units::LengthUnit;
+use crate::units::{ChosenUnits, Units};
 use crate::words::Choice;
 use clap::Args;
 
@@ -18,9 +18,17 @@ pub(crate) struct UiFlags {
     /// Signs that curves are drawn with.
     #[arg(long, global = true, value_name = "SIGNS", value_parser = explained(GLYPHS), help_heading = "Screen")]
     pub(crate) glyphs: Option<Glyphs>,
-    /// Unit of lengths on the screen and in text results; files, JSON and CSV are always in metres.
-    #[arg(long, global = true, value_name = "UNIT", value_parser = one_of(LengthUnit::ALL), help_heading = "Screen")]
-    pub(crate) units: Option<LengthUnit>,
+    /// Units on the screen and in text results: m, mm, ft or in, kN, kip or t, or two as in ft,kip;
+    /// files, JSON and CSV are always in metres and kN.
+    #[arg(long, global = true, value_name = "UNITS", value_parser = ChosenUnits::read, help_heading = "Screen")]
+    pub(crate) units: Option<ChosenUnits>,
+}
+
+impl UiFlags {
+    /// The units of a result where the project has these.
+    pub(crate) fn units_over(&self, project: Units) -> Units {
+        self.units.unwrap_or_default().over(project)
+    }
 }
 
 /// Flags of the interactive program alone: each is a setting too, and stands above the kept one for
@@ -99,7 +107,8 @@ pub(crate) fn settings(ui: &UiFlags, start: &StartFlags) -> Vec<(SettingItem, St
         _ => None,
     };
     [
-        (SettingItem::Units, ui.units.map(word)),
+        (SettingItem::Units, ui.units.and_then(|u| u.length).map(word)),
+        (SettingItem::Forces, ui.units.and_then(|u| u.force).map(word)),
         (SettingItem::Glyphs, ui.glyphs.map(word)),
         (SettingItem::Color, ui.color.map(word)),
         (SettingItem::Fidelity, start.fidelity.map(word)),

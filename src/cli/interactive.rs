@@ -93,7 +93,7 @@ fn run(
         kept,
         holder,
         look: preferences.look(&settings),
-        units: settings.units,
+        units: settings.chosen_units(),
         // The loop says the real size before it draws.
         size: (80, 24),
         preferences,

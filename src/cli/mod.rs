@@ -28,6 +28,7 @@ pub(crate) mod interactive;
 pub(crate) mod lab;
 pub(crate) mod mesh;
 pub(crate) mod new;
+mod opening;
 pub(crate) mod output;
 mod page;
 pub(crate) mod quantity;

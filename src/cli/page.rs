@@ -12,8 +12,7 @@ use crate::layout::{Blocks, Layout, PunchShape};
 use crate::show::{say, verdict};
 use crate::study::verdict::Verdict;
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, maybe_length_text, shortest, significant,
-    to_kj,
+    Units, energy_text, force_text, length_entry, length_text, maybe_length_text, shortest,
 };
 use crate::words::Choice;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
@@ -43,12 +42,12 @@ pub(crate) struct Page {
     /// Lines so far, each at most [`WIDTH`] columns.
     pub(crate) lines: Vec<String>,
     /// Unit of lengths.
-    pub(crate) unit: LengthUnit,
+    pub(crate) unit: Units,
 }
 
 impl Page {
     /// An empty page.
-    pub(crate) fn new(unit: LengthUnit) -> Page {
+    pub(crate) fn new(unit: Units) -> Page {
         Page { lines: Vec::new(), unit }
     }
 
@@ -106,7 +105,7 @@ impl Page {
             "design",
             format!(
                 "resistance {} with gamma_resistance {on_resistance}; gamma_load {on_load}",
-                force_text(answer.resistance)
+                force_text(answer.resistance, self.unit)
             ),
         );
         if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
@@ -119,8 +118,8 @@ impl Page {
                 "  at force",
                 format!(
                     "{} factored to {}: use {} %{deflection}",
-                    force_text(force),
-                    force_text(at.load),
+                    force_text(force, self.unit),
+                    force_text(at.load, self.unit),
                     percent(at.utilisation)
                 ),
             );
@@ -130,11 +129,11 @@ impl Page {
             self.line(
                 "  at delta",
                 format!(
-                    "{}{fails}: {} mobilised, {} factored, {} kJ",
+                    "{}{fails}: {} mobilised, {} factored, {}",
                     self.entry(deflection),
-                    force_text(at.force),
-                    force_text(at.design_force),
-                    significant(to_kj(at.energy), 3)
+                    force_text(at.force, self.unit),
+                    force_text(at.design_force, self.unit),
+                    energy_text(at.energy, self.unit)
                 ),
             );
         }
@@ -183,13 +182,13 @@ mod tests {
     #[test]
     fn numbers_are_short_and_do_not_hide_a_limit() {
         assert_eq!([percent(0.961), percent(1.002), percent(1.0)], ["96.1", "100.2", "100"]);
-        let m = |v| input_value(Input::Spacing, v, LengthUnit::Metre);
+        let m = |v| input_value(Input::Spacing, v, Units::METRES);
         assert_eq!(
             [m(2.0), m(1.125), m(-0.038_46), m(10.25)],
             ["2.00", "1.125", "-0.0385", "10.25"]
         );
-        let mm = |v| input_value(Input::Spacing, v, LengthUnit::Millimetre);
+        let mm = |v| input_value(Input::Spacing, v, Units::MILLIMETRES);
         assert_eq!([mm(2.0), mm(0.1125), mm(0.0)], ["2000", "112.5", "0"]);
-        assert_eq!(input_value(Input::LabForce, 73_300.0, LengthUnit::Metre), "73.30");
+        assert_eq!(input_value(Input::LabForce, 73_300.0, Units::METRES), "73.30");
     }
 }

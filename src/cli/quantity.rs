@@ -2,7 +2,7 @@
 //! wrong with a value is said with the range and the unit.
 
 use crate::case::Input;
-use crate::units::{LengthUnit, Quantity, parse};
+use crate::units::{Quantity, Units, parse};
 
 fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
     let how = match quantity {
@@ -11,7 +11,7 @@ fn read(text: &str, quantity: Quantity, allowed: &str) -> Result<f64, String> {
         Quantity::Pressure => ", in kN/m2 or with a unit such as 2.5kPa",
         Quantity::Number => ", without a unit",
     };
-    parse(text, quantity, LengthUnit::Metre).map_err(|e| format!("{e}; allowed: {allowed}{how}"))
+    parse(text, quantity, Units::METRES).map_err(|e| format!("{e}; allowed: {allowed}{how}"))
 }
 
 /// An input's value, SI. Whether it is in its range is checked with the whole layout.
@@ -41,7 +41,7 @@ pub(crate) fn distance(text: &str) -> Result<f64, String> {
 
 /// A number without a unit; its range is checked where it is used.
 pub(crate) fn number(text: &str) -> Result<f64, String> {
-    parse(text, Quantity::Number, LengthUnit::Metre).map_err(|e| e.to_string())
+    parse(text, Quantity::Number, Units::METRES).map_err(|e| e.to_string())
 }
 
 fn above_zero(value: f64, allowed: &str, most: f64) -> Result<f64, String> {

@@ -81,7 +81,7 @@ pub(crate) fn run(args: &ReportArgs, ui: &UiFlags) -> CommandEnd {
     };
     let (opened, cases) = args.project.open(None)?;
     let file_name = opened.document.title();
-    let unit = ui.units.unwrap_or(opened.project.display.length_unit);
+    let unit = ui.units_over(opened.project.display.units);
     let checks: Vec<Option<Check>> =
         cases.iter().map(|case| Check::from_kept(case, unit, &file_name)).collect();
     let mut project = opened.project.clone();

@@ -1,11 +1,12 @@
 //! The project that a text is made from, with the results of its layouts.
 
 use super::case::unknown_layout;
+use super::opening::load_project;
 use super::output::Fault;
 use crate::export::{ExportedLayout, exported};
-use crate::project::{LoadError, Opened, load, load_stream};
+use crate::project::Opened;
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A project file on the command line.
 #[derive(Debug, Clone, Args)]
@@ -13,17 +14,6 @@ pub(crate) struct ProjectFile {
     /// Project file; - for standard input.
     #[arg(value_name = "PROJECT.ron")]
     pub(crate) path: PathBuf,
-}
-
-/// Reads the project of a command: a file, or `-` for standard input.
-///
-/// # Errors
-/// What is wrong in it.
-pub(crate) fn load_project(path: &Path) -> Result<Opened, LoadError> {
-    match path.as_os_str() == "-" {
-        true => load_stream(std::io::stdin().lock(), "standard input"),
-        false => load(path),
-    }
 }
 
 impl ProjectFile {

@@ -9,8 +9,8 @@ use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
 use crate::study::verdict::Simulated;
-use crate::units::LengthUnit;
-use crate::units::{force_text, length_text, significant, to_kj, to_kn};
+use crate::units::Units;
+use crate::units::{energy_text, force_text, length_text, significant, stiffness_text};
 use crate::words::Choice;
 
 /// Force between two limits over deflection; the three lists have the same length.
@@ -44,11 +44,7 @@ pub struct Check {
 impl Check {
     /// The check that the project keeps of a case's layout, if it keeps one. Lengths in the notes are
     /// shown in `unit`; `file_name` is the project's, for the command that makes it again.
-    pub(crate) fn from_kept(
-        case: &ExportedLayout,
-        unit: LengthUnit,
-        file_name: &str,
-    ) -> Option<Check> {
+    pub(crate) fn from_kept(case: &ExportedLayout, unit: Units, file_name: &str) -> Option<Check> {
         let v = case.entry.check.as_deref()?;
         let stale = !current(case, v);
         let runs = if v.runs == 1 { "1 run".to_string() } else { format!("{} runs", v.runs) };
@@ -86,21 +82,23 @@ pub(crate) fn current(case: &ExportedLayout, result: &CheckResult) -> bool {
 fn notes(
     case: &ExportedLayout,
     v: &CheckResult,
-    unit: LengthUnit,
+    unit: Units,
     file: &str,
     stale: bool,
 ) -> Vec<String> {
     let m = |value: f64| length_text(value, unit);
-    let kn = |value: f64| significant(to_kn(value), 3);
+    let kn = |value: f64| unit.force_number(value, 3);
     let mut notes = Vec::new();
     if v.breaks.len() > 1 {
         notes.push(format!(
-            "over alignments and slack: force {} +- {} kN (standard deviation; standard error {}), 5 to 95 % {} to {} kN; deflection {} +- {}, 5 to 95 % {} to {}",
+            "over alignments and slack: force {} +- {} {} (standard deviation; standard error {}), 5 to 95 % {} to {} {}; deflection {} +- {}, 5 to 95 % {} to {}",
             kn(v.force.mean),
             kn(v.force.deviation),
+            unit.force_symbol(),
             kn(v.force.error),
             kn(v.force.band[0]),
             kn(v.force.band[1]),
+            unit.force_symbol(),
             m(v.deflection.mean),
             m(v.deflection.deviation),
             m(v.deflection.band[0]),
@@ -108,18 +106,18 @@ fn notes(
         ));
     }
     if let Some(force) = v.characteristic() {
-        notes.push(format!("characteristic force {}: {CHARACTERISTIC}", force_text(force)));
+        notes.push(format!("characteristic force {}: {CHARACTERISTIC}", force_text(force, unit)));
     }
-    notes.extend(sentence(&v.catches()));
+    notes.extend(sentence(&v.catches(), unit));
     if let Some(arrangement) = &v.field.arrangement {
         notes.push(format!("blocks: {arrangement}"));
     }
     notes.push(format!(
-        "peak {} at {}; stiffness at 75 % of the force {} kN/m; energy up to the first break {} kJ",
-        force_text(v.peak.force),
+        "peak {} at {}; stiffness at 75 % of the force {}; energy up to the first break {}",
+        force_text(v.peak.force, unit),
         m(v.peak.deflection),
-        kn(v.k75),
-        significant(to_kj(v.energy), 3)
+        stiffness_text(v.k75, unit),
+        energy_text(v.energy, unit)
     ));
     if !v.breaks.is_empty() && !stale {
         let places = Places::from_result(v, &case.entry.layout);

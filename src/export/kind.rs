@@ -5,7 +5,7 @@ use super::svg::{Series, chart, plan};
 use super::{Check, ExportedLayout, Report, ReportSource, csv, exported};
 use crate::problem::Problem;
 use crate::project::Project;
-use crate::units::LengthUnit;
+use crate::units::Units;
 
 /// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -111,7 +111,7 @@ impl ExportKind {
         project: &Project,
         layout: usize,
         source: ReportSource<'_>,
-        unit: LengthUnit,
+        unit: Units,
     ) -> Result<String, Vec<Problem>> {
         let all = match (self.of_one(), project.layouts.get(layout)) {
             (true, Some(entry)) => vec![ExportedLayout::new(project, entry)?],
@@ -175,7 +175,7 @@ mod tests {
         let project = Project::starter("Slope");
         let source = ReportSource { file_name: "slope.ron", text: None, edited: false };
         for kind in ExportKind::ALL {
-            let text = kind.text(&project, 0, source, LengthUnit::Metre).unwrap();
+            let text = kind.text(&project, 0, source, Units::METRES).unwrap();
             let start = match kind.form() {
                 Form::Html => "<!DOCTYPE",
                 Form::Svg => "<svg",

@@ -3,7 +3,7 @@
 
 use super::NoField;
 use crate::remark::Weight;
-use crate::units::{LengthUnit, length_text, shortest, significant};
+use crate::units::{Units, length_text, shortest, significant};
 
 /// A published range: symbol, words, limits, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,7 +153,7 @@ pub(crate) fn extrapolated(warnings: &[Warning]) -> bool {
 
 /// A force (N) and, where it is known, a deflection (m).
 fn record(force: f64, deflection: Option<f64>, between: &str) -> String {
-    let delta = deflection.map(|delta| length_text(delta, LengthUnit::Metre));
+    let delta = deflection.map(|delta| length_text(delta, Units::METRES));
     let force = format!("{} kN", significant(force / 1000.0, 3));
     [Some(force), delta].into_iter().flatten().collect::<Vec<_>>().join(between)
 }
@@ -241,7 +241,7 @@ impl Warning {
 
     /// The whole sentence for people, without a final stop.
     pub fn sentence(&self) -> String {
-        let m = |v: f64| length_text(v, LengthUnit::Metre);
+        let m = |v: f64| length_text(v, Units::METRES);
         let kn = |v: f64| significant(v / 1000.0, 3);
         match self {
             Warning::Extrapolated { range, value } => format!(

@@ -13,7 +13,7 @@ use crate::layout::{
 use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::verdict::Basis;
-use crate::units::{self, LengthUnit};
+use crate::units::{self, ForceUnit, LengthUnit, Units};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
 use std::fmt;
@@ -52,7 +52,7 @@ pub(crate) const LAYOUT_FIELDS: &[&str] = &[
     "check",
 ];
 /// Fields of the display preferences.
-pub(crate) const DISPLAY_FIELDS: &[&str] = &["length_unit"];
+pub(crate) const DISPLAY_FIELDS: &[&str] = &["length_unit", "force_unit"];
 
 /// A project as a file of the current version has it. Which fields cannot be left out is said in
 /// [`words::needed`].
@@ -112,6 +112,7 @@ struct LayoutFile {
 #[serde(rename = "Display", deny_unknown_fields)]
 struct DisplayFile {
     length_unit: Soft<LengthUnit>,
+    force_unit: Soft<ForceUnit>,
 }
 
 /// Metres.
@@ -190,7 +191,11 @@ impl ProjectFile {
     fn made(self, problems: &mut Vec<Problem>) -> Result<Project, Refused> {
         self.version.needed()?;
         let meshes = self.meshes.get()?.unwrap_or_default();
-        let display = self.display.get()?.map(|d| d.length_unit.get()).transpose()?.flatten();
+        let mut units = Units::default();
+        if let Some(display) = self.display.get()? {
+            units.length = display.length_unit.get()?.unwrap_or_default();
+            units.force = display.force_unit.get()?.unwrap_or_default();
+        }
         let mut project = Project {
             version: CURRENT_VERSION,
             name: self.name.needed()?,
@@ -206,7 +211,7 @@ impl ProjectFile {
             basis: self.basis.get()?.unwrap_or_default(),
             meshes: meshes.into_iter().map(Soft::needed).collect::<Result<_, _>>()?,
             layouts: Vec::new(),
-            display: Display { length_unit: display.unwrap_or_default() },
+            display: Display { units },
         };
         let mesh = project.default_mesh().to_string();
         for (index, layout) in self.layouts.needed()?.into_iter().enumerate() {

@@ -3,12 +3,12 @@
 use super::schema::{NamedLayout, Project};
 use crate::case::Input;
 use crate::layout::{Grid, Layout};
-use crate::units::LengthUnit;
+use crate::units::Units;
 
 /// What the second has that the first has not, a line for the project and each layout: `bench 1: L 2.5 to
 /// 2.61 m`. Layouts are the same by their uid.
 pub fn difference(from: &Project, to: &Project) -> Vec<String> {
-    let unit = from.display.length_unit;
+    let unit = from.display.units;
     let mut lines = Vec::new();
     lines.extend(line("the project", project_fields(from, to)));
     let same = |l: &NamedLayout, others: &[NamedLayout]| others.iter().any(|o| o.uid == l.uid);
@@ -50,12 +50,12 @@ fn project_fields(from: &Project, to: &Project) -> Vec<String> {
         (*notes != to.notes, "notes"),
         (*basis != to.basis, "basis of verdicts"),
         (*meshes != to.meshes, "meshes"),
-        (*display != to.display, "unit of lengths"),
+        (*display != to.display, "units shown"),
     ]);
     fields.collect()
 }
 
-fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: LengthUnit) -> Vec<String> {
+fn layout_fields(from: &NamedLayout, to: &NamedLayout, unit: Units) -> Vec<String> {
     // Sizes and the question are the inputs.
     let NamedLayout { uid: _, name, layout, mesh, branch, question: _, overlay, note, check } =
         from;

@@ -6,7 +6,7 @@ use crate::mesh::{self, MeshType, catalogue};
 use crate::problem::Problem;
 use crate::study::result::CheckResult;
 use crate::study::verdict::Basis;
-use crate::units::LengthUnit;
+use crate::units::Units;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -97,8 +97,8 @@ impl MeshUse {
 /// How a project is shown.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Display {
-    /// Unit of lengths on the screen; the file always holds metres.
-    pub length_unit: LengthUnit,
+    /// Units on the screen; the file always holds metres and kN.
+    pub units: Units,
 }
 
 /// A layout with its name, its mesh and its design question. What its inputs may be stands in

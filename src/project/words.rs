@@ -52,6 +52,7 @@ const ALSO_CALLED: &[(&str, &str)] = &[
     ("location", "site"),
     ("units", "length_unit"),
     ("unit", "length_unit"),
+    ("forces", "force_unit"),
 ];
 
 /// The known name that was most likely meant, if one is near.
@@ -157,7 +158,14 @@ pub(crate) fn unknown_word(allowed: impl Into<String>) -> Problem {
 
 /// Words of which one is due.
 pub(crate) fn one_of(allowed: &[&str]) -> String {
-    allowed.join(if allowed.len() > 2 { ", " } else { " or " })
+    // A word that is taken in small letters too is said once.
+    let mut said: Vec<&str> = Vec::new();
+    for word in allowed {
+        if !said.iter().any(|other| other.eq_ignore_ascii_case(word)) {
+            said.push(word);
+        }
+    }
+    said.join(if said.len() > 2 { ", " } else { " or " })
 }
 
 /// Something else is due.

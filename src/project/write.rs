@@ -8,7 +8,7 @@ use crate::case::Input;
 use crate::case::input::{LX, Missing};
 use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, Twists};
 use crate::method::DerivedMethod;
-use crate::units::{LengthUnit, Quantity, from_kn, parse, shortest, to_kn};
+use crate::units::{ForceUnit, Quantity, Units, from_kn, parse, shortest, to_kn};
 use crate::words::Choice;
 use std::fmt::Write;
 
@@ -86,7 +86,7 @@ pub(crate) fn number_with_unit(si: f64, quantity: Quantity, unit: &str) -> Optio
     };
     let bare = shortest(si * per_si);
     let text = format!("{} {unit}", bare.strip_suffix(".0").unwrap_or(&bare));
-    (parse(&text, quantity, LengthUnit::Metre).ok() == Some(si)).then(|| format!("\"{text}\""))
+    (parse(&text, quantity, Units::METRES).ok() == Some(si)).then(|| format!("\"{text}\""))
 }
 
 const HEAD: &str = "\
@@ -160,9 +160,18 @@ pub fn project(p: &Project) -> Result<String, Unwritable> {
         let _ = writeln!(out, "        {},", layout(l, p.default_mesh(), "        ", "\n")?);
     }
     out.push_str("    ],\n");
-    let _ = writeln!(out, "    display: (length_unit: {}),", p.display.length_unit.symbol());
+    let _ = writeln!(out, "    display: ({}),", display(p.display.units));
     out.push_str(")\n");
     Ok(out)
+}
+
+/// The fields of `display`. An older program does not know `force_unit`: kN is not written.
+pub(super) fn display(units: Units) -> String {
+    let force = match units.force {
+        ForceUnit::Kilonewton => String::new(),
+        other => format!(", force_unit: {}", other.symbol()),
+    };
+    format!("length_unit: {}{force}", units.length.symbol())
 }
 
 /// An item of `meshes`, `indent` steps of four blanks in.

@@ -4,15 +4,15 @@ use super::effect::{deflection, maybe_deflection, number};
 use super::verdict;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::sensitivity::Effect;
-use crate::units::{LengthUnit, force_text, percent};
+use crate::units::{Units, force_text, percent};
 
 /// Word and unit of a column.
-pub(crate) fn head(column: Column, unit: LengthUnit) -> (&'static str, &'static str) {
+pub(crate) fn head(column: Column, unit: Units) -> (&'static str, &'static str) {
     match column {
         Column::Name => ("layout", ""),
         Column::Mesh => ("mesh", ""),
         Column::Size(input) => (input.word(), input.unit(unit)),
-        Column::Force => ("F_a", "kN"),
+        Column::Force => ("F_a", unit.force_symbol()),
         Column::Deflection => ("delta", unit.symbol()),
         Column::ForceRatio => ("F/Fl", ""),
         Column::DeflectionRatio => ("d/dl", ""),
@@ -34,12 +34,9 @@ pub(crate) fn width(column: Column) -> usize {
 }
 
 /// What stands in a cell.
-pub(crate) fn cell(row: &CompareRow, column: Column, unit: LengthUnit) -> String {
+pub(crate) fn cell(row: &CompareRow, column: Column, unit: Units) -> String {
     let none = || "-".to_string();
-    let size = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.2}"),
-        LengthUnit::Millimetre => format!("{:.0}", v * unit.per_metre()),
-    };
+    let size = |v: f64| unit.size_number(v);
     let ratio = |v: Option<f64>| v.map_or_else(none, |v| format!("{v:.3}"));
     let forecast = row.forecast();
     match column {
@@ -77,14 +74,14 @@ pub(crate) fn over(part: Option<f64>) -> String {
 }
 
 /// Which layout governs, and by what; without a final stop.
-pub(crate) fn governing(c: &Comparison) -> (Option<&str>, String) {
+pub(crate) fn governing(c: &Comparison, unit: Units) -> (Option<&str>, String) {
     let Some((g, row)) = c.governing.and_then(|g| Some((g, c.rows.get(g.row)?))) else {
         return (None, "none, no layout has a value".to_string());
     };
     let why = match (g.by, row.values()) {
         (Some(_), _) => verdict::short(&row.verdict),
         (None, Ok(v)) => {
-            format!("the lowest force, {}; no layout has a load", force_text(v.force))
+            format!("the lowest force, {}; no layout has a load", force_text(v.force, unit))
         }
         (None, Err(_)) => String::new(),
     };

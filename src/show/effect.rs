@@ -3,7 +3,7 @@
 use crate::case::CasePoint;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
-use crate::units::{LengthUnit, percent, significant, to_kn};
+use crate::units::{Units, percent, significant};
 
 /// The value of a forecast, SI.
 pub(crate) fn read(point: &CasePoint, effect: Effect) -> Option<f64> {
@@ -58,42 +58,39 @@ pub(crate) fn whose(effect: Effect, check: bool) -> &'static str {
 }
 
 /// The unit shown.
-pub(crate) fn unit(effect: Effect, unit: LengthUnit) -> &'static str {
+pub(crate) fn unit(effect: Effect, unit: Units) -> &'static str {
     match effect {
-        Effect::Force => "kN",
+        Effect::Force => unit.force_symbol(),
         Effect::Deflection | Effect::Service => unit.symbol(),
         Effect::Utilisation => "%",
     }
 }
 
 /// An SI value in the unit shown.
-pub(crate) fn in_unit(value: f64, effect: Effect, unit: LengthUnit) -> f64 {
+pub(crate) fn in_unit(value: f64, effect: Effect, unit: Units) -> f64 {
     match effect {
-        Effect::Force => to_kn(value),
+        Effect::Force => unit.force(value),
         Effect::Deflection | Effect::Service => value * unit.per_metre(),
         Effect::Utilisation => value * 100.0,
     }
 }
 
 /// An SI value as a number in the unit shown.
-pub(crate) fn number(value: f64, effect: Effect, unit: LengthUnit) -> String {
+pub(crate) fn number(value: f64, effect: Effect, unit: Units) -> String {
     match effect {
-        Effect::Force => significant(to_kn(value), 3),
+        Effect::Force => unit.force_number(value, 3),
         Effect::Deflection | Effect::Service => deflection(value, unit),
         Effect::Utilisation => percent(value),
     }
 }
 
 /// A deflection, m, in the unit shown, without its symbol.
-pub(crate) fn deflection(metres: f64, unit: LengthUnit) -> String {
-    match unit {
-        LengthUnit::Metre => format!("{metres:.3}"),
-        LengthUnit::Millimetre => format!("{:.0}", metres * unit.per_metre()),
-    }
+pub(crate) fn deflection(metres: f64, unit: Units) -> String {
+    unit.length_number(metres)
 }
 
 /// The same of one that may be missing, `-`.
-pub(crate) fn maybe_deflection(metres: Option<f64>, unit: LengthUnit) -> String {
+pub(crate) fn maybe_deflection(metres: Option<f64>, unit: Units) -> String {
     metres.map_or("-".into(), |metres| deflection(metres, unit))
 }
 
@@ -101,20 +98,20 @@ pub(crate) fn maybe_deflection(metres: Option<f64>, unit: LengthUnit) -> String 
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EffectScale {
     effect: Effect,
-    unit: LengthUnit,
+    unit: Units,
     /// Decimals of all; nothing for three digits each.
     decimals: Option<usize>,
 }
 
 impl EffectScale {
     /// Three digits each.
-    pub(crate) fn digits(effect: Effect, unit: LengthUnit) -> EffectScale {
+    pub(crate) fn digits(effect: Effect, unit: Units) -> EffectScale {
         EffectScale { effect, unit, decimals: None }
     }
 
     /// With as many decimals as the largest of them, `most` (SI), needs for three digits, so that they
     /// stand under each other.
-    pub(crate) fn aligned(effect: Effect, unit: LengthUnit, most: f64) -> EffectScale {
+    pub(crate) fn aligned(effect: Effect, unit: Units, most: f64) -> EffectScale {
         let largest = in_unit(most, effect, unit);
         // From none for hundreds to six for what is next to nothing.
         let decimals = if largest > 0.0 { 2.0 - largest.log10().floor() } else { 0.0 };
@@ -146,15 +143,15 @@ mod tests {
 
     #[test]
     fn changes_have_the_decimals_of_the_largest_or_three_digits_each() {
-        let m = EffectScale::aligned(Effect::Deflection, LengthUnit::Metre, 0.0712);
+        let m = EffectScale::aligned(Effect::Deflection, Units::METRES, 0.0712);
         assert_eq!([m.text(0.0712), m.text(-0.000_27)], ["+0.0712", "-0.0003"]);
         assert_eq!([m.text(-0.000_01), m.size(-0.0142)], ["0", "0.0142"]);
-        let mm = EffectScale::aligned(Effect::Deflection, LengthUnit::Millimetre, 0.0712);
+        let mm = EffectScale::aligned(Effect::Deflection, Units::MILLIMETRES, 0.0712);
         assert_eq!(mm.text(-0.0712), "-71.2");
-        let kn = EffectScale::aligned(Effect::Force, LengthUnit::Metre, 123.0e3);
+        let kn = EffectScale::aligned(Effect::Force, Units::METRES, 123.0e3);
         assert_eq!([kn.text(99.6e3), kn.text(0.0)], ["+100", "0"]);
-        assert_eq!(EffectScale::aligned(Effect::Force, LengthUnit::Metre, 0.0).text(0.0), "0");
-        let each = EffectScale::digits(Effect::Deflection, LengthUnit::Metre);
+        assert_eq!(EffectScale::aligned(Effect::Force, Units::METRES, 0.0).text(0.0), "0");
+        let each = EffectScale::digits(Effect::Deflection, Units::METRES);
         assert_eq!([each.text(-0.000_27), each.text(0.0)], ["-0.000270", "0"]);
     }
 }

@@ -7,7 +7,7 @@ use crate::case::{Input, input_unit, input_value};
 use crate::study::checks::NoCheck;
 use crate::study::sensitivity::dem::{CheckedSensitivity, CheckedStep};
 use crate::study::sensitivity::{Bar, Effect, Sensitivity, Step};
-use crate::units::LengthUnit;
+use crate::units::Units;
 
 /// One input of a tornado.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +44,7 @@ pub(crate) fn tornado(
     checked: Option<&CheckedSensitivity>,
     effect: Effect,
     scale: &EffectScale,
-    unit: LengthUnit,
+    unit: Units,
 ) -> Vec<TornadoRow> {
     let row = |bar: &Bar| TornadoRow {
         input: bar.input,
@@ -61,7 +61,7 @@ fn moves([low, high]: [(String, Option<f64>); 2]) -> Moves {
     Moves { texts: [low.0, high.0], sizes: [low.1, high.1] }
 }
 
-fn range(bar: &Bar, unit: LengthUnit) -> String {
+fn range(bar: &Bar, unit: Units) -> String {
     let value = |v: f64| input_value(bar.input, v, unit);
     let symbol = input_unit(bar.input, unit);
     format!("{} to {} {symbol}", value(bar.lowered.value), value(bar.raised.value))

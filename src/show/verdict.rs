@@ -9,7 +9,7 @@ use crate::study::sweep::Grid;
 use crate::study::verdict::{
     Aspect, Basis, Checked, Finding, Judge, Simulated, State, Verdict, VerdictRemark, verdict,
 };
-use crate::units::{LengthUnit, force_text, length_text, percent};
+use crate::units::{Units, force_text, length_text, percent};
 use crate::words::Choice;
 
 /// A demand or capacity in kN or m, by its check.
@@ -102,10 +102,10 @@ pub(crate) fn short(v: &Verdict) -> String {
 
 /// A check as a sentence with its mark in front, nothing where it is not asked:
 /// `x deflection: 0.629 m of 0.400 m, 157 %`.
-pub(crate) fn sentence(c: &Checked, unit: LengthUnit) -> Option<String> {
+pub(crate) fn sentence(c: &Checked, unit: Units) -> Option<String> {
     let text = |si: f64| match c.aspect {
         Aspect::Deflection => length_text(si, unit),
-        _ => force_text(si),
+        _ => force_text(si, unit),
     };
     let name = format!("{} {}", c.state.mark(), c.aspect.word());
     match c.state {
@@ -129,7 +129,7 @@ pub(crate) fn sentence(c: &Checked, unit: LengthUnit) -> Option<String> {
 
 /// What is to be said behind the verdict itself: each check that is asked, what to know, what would mend
 /// it.
-pub(crate) fn lines(case: &Case, v: &Verdict, unit: LengthUnit) -> Vec<String> {
+pub(crate) fn lines(case: &Case, v: &Verdict, unit: Units) -> Vec<String> {
     let checks = v.checks.iter().filter_map(|c| sentence(c, unit));
     let remarks = v.remarks.iter().map(|r| format!("! {}", r.sentence()));
     checks.chain(remarks).chain(mended(case, v)).collect()
@@ -177,7 +177,7 @@ pub(crate) fn of_outcome(case: &Case, outcome: &CaseValue, basis: Basis) -> Opti
 
 /// A check in a cell of a table: `85.4 / 96.5 %` for mean and characteristic values,
 /// `157 % (0.629 m)` for a deflection with what is reached.
-pub(crate) fn cell(c: &Checked, unit: LengthUnit) -> String {
+pub(crate) fn cell(c: &Checked, unit: Units) -> String {
     match (c.state, c.usage) {
         (State::NotAsked(_), _) => "-".into(),
         (State::NotJudged(_), _) => "not judged".into(),
@@ -196,7 +196,7 @@ pub(crate) fn cell(c: &Checked, unit: LengthUnit) -> String {
 
 /// A check in a narrow panel, in kN or the unit of lengths: `x deflect. 157 % 0.629/0.400`; nothing
 /// where it is not asked. The capacity is that of the basis that decides.
-pub(crate) fn brief(v: &Verdict, c: &Checked, unit: LengthUnit) -> Option<String> {
+pub(crate) fn brief(v: &Verdict, c: &Checked, unit: Units) -> Option<String> {
     let word = match c.aspect {
         Aspect::Deflection => "deflect.",
         other => other.word(),
@@ -205,7 +205,7 @@ pub(crate) fn brief(v: &Verdict, c: &Checked, unit: LengthUnit) -> Option<String
     let number = |si: f64| {
         let text = match c.aspect {
             Aspect::Deflection => length_text(si, unit),
-            _ => force_text(si),
+            _ => force_text(si, unit),
         };
         text.split(' ').next().map(String::from)
     };

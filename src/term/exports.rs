@@ -5,7 +5,7 @@ use crate::export::form::Form;
 use crate::export::{ExportKind, ReportSource};
 use crate::project::home::typed_path;
 use crate::project::{Document, Overwrite, Project, SaveError, same_file, write_file};
-use crate::units::LengthUnit;
+use crate::units::Units;
 use std::path::{Path, PathBuf};
 
 /// What is to be written.
@@ -19,7 +19,7 @@ pub struct ExportWanted<'a> {
     /// The layout selected, an index.
     pub layout: usize,
     /// Unit of lengths.
-    pub unit: LengthUnit,
+    pub unit: Units,
     /// Where to; beside the project under a free name where nothing is said.
     pub path: Option<&'a Path>,
     /// Whether to replace a file that is there.

@@ -3,7 +3,7 @@ use super::super::exports::ExportWanted;
 use super::super::program::Host;
 use crate::export::ExportKind;
 use crate::project::{self, Home};
-use crate::units::LengthUnit;
+use crate::units::Units;
 use std::fs;
 
 const SAMPLE: &str = include_str!("../../projects/road-cut.ron");
@@ -21,7 +21,7 @@ fn files_go_beside_the_project_and_replace_nothing_by_chance() {
         project: &project,
         edited: false,
         layout: 2,
-        unit: LengthUnit::Metre,
+        unit: Units::METRES,
         path: None,
         overwrite: false,
     };

@@ -11,8 +11,10 @@ fn known() -> Vec<KnownSettings> {
     fn takes<const N: usize>(word: &str) -> bool {
         SettingItem::ALL[N].takes(word)
     }
-    const TAKES: [fn(&str) -> bool; SettingItem::ALL.len()] =
-        [takes::<0>, takes::<1>, takes::<2>, takes::<3>, takes::<4>, takes::<5>, takes::<6>];
+    const TAKES: [fn(&str) -> bool; SettingItem::ALL.len()] = [
+        takes::<0>, takes::<1>, takes::<2>, takes::<3>, takes::<4>, takes::<5>, takes::<6>,
+        takes::<7>,
+    ];
     let each = SettingItem::ALL.into_iter().zip(TAKES);
     each.map(|(item, takes)| KnownSettings {
         name: item.name(),

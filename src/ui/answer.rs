@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::remark::Weight;
 use crate::show::{say, verdict};
 use crate::study::verdict::Finding;
-use crate::units::{force_text, length_text, maybe_length_text};
+use crate::units::{Units, force_text, length_text, maybe_length_text};
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -104,7 +104,7 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     let mut lines = vec![(
         format!(
             "F_a {}  delta_a {}{mark}",
-            force_text(field.values.force),
+            force_text(field.values.force, app.units()),
             maybe_length_text(field.values.deflection, app.units())
         ),
         theme.forecast,
@@ -119,7 +119,7 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
     // What else there is of the force comes behind whether it is enough.
     if let Some(published) = field.published {
         lines.push((say::published_short(published, field.values, app.units()), theme.text));
-        lines.push((format!("90 %: {}", say::band(field)), theme.text));
+        lines.push((format!("90 %: {}", say::band(field, app.units())), theme.text));
     }
     lines.extend(beside);
     lines.extend_from_slice(dem_rest);
@@ -132,18 +132,20 @@ fn field_lines(app: &App, forecast: &Forecast, field: &Field, theme: &Theme) -> 
         None => format!("{branch}, {}", forecast.rule.word()),
         Some(_) => format!("{branch}, derived method"),
     };
-    let mut how =
-        vec![(how_found, theme.text), (anchor_line(&app.layout().layout, field), theme.text)];
+    let mut how = vec![
+        (how_found, theme.text),
+        (anchor_line(&app.layout().layout, field, app.units()), theme.text),
+    ];
     how.extend(check::trust(app, theme));
     (lines, how)
 }
 
 /// How the blocks stand, and what an anchor carries at failure: at most, where blocks face each other.
-fn anchor_line(layout: &Layout, field: &Field) -> String {
+fn anchor_line(layout: &Layout, field: &Field, unit: Units) -> String {
     let (word, force) = (layout.blocks.word(), field.values.force);
     match layout.facing_bound() {
-        None => format!("blocks {word}; anchor {}", force_text(force)),
-        Some(bound) => format!("blocks {word}; anchor <{}", force_text(bound * force)),
+        None => format!("blocks {word}; anchor {}", force_text(force, unit)),
+        Some(bound) => format!("blocks {word}; anchor <{}", force_text(bound * force, unit)),
     }
 }
 
@@ -153,7 +155,7 @@ fn mobilised(app: &App, theme: &Theme) -> Option<(String, Style)> {
     let allowed = length_text(app.layout().question.deflection?, app.units());
     Some(match a.beyond_failure {
         true => (format!("fails before {allowed}"), theme.caution),
-        false => (format!("at {allowed}: {}", force_text(a.force)), theme.text),
+        false => (format!("at {allowed}: {}", force_text(a.force, app.units())), theme.text),
     })
 }
 

@@ -12,7 +12,7 @@ use crate::forecast::{Values, rescaled};
 use crate::show::grid::{DotGrid, DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::Plot;
-use crate::units::{force_text, length_text, significant, to_kn};
+use crate::units::{Units, force_text, length_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -139,20 +139,20 @@ fn axes(app: &App, area: Rect, theme: &Theme) -> Option<CurvePlot> {
     };
     let force = holding(force, asked.force.map(|f| f * asked.gamma_load));
     let deflection = holding(deflection, asked.deflection);
-    let per_metre = app.units().per_metre();
+    let units = app.units();
     let (width, height) = (area.width - LABELS - 1, area.height - 2);
-    let x = Axis::holding(deflection * per_metre, u32::from(width / 10).clamp(2, 8));
-    let y = Axis::holding(to_kn(force) * 1.02, u32::from(height / 2).clamp(2, 8));
+    let x = Axis::holding(deflection * units.per_metre(), u32::from(width / 10).clamp(2, 8));
+    let y = Axis::holding(units.force(force) * 1.02, u32::from(height / 2).clamp(2, 8));
     let size = (usize::from(area.width), usize::from(area.height));
     let plot = Plot::new(size, usize::from(LABELS), x.into(), y.into(), theme.glyphs)?;
-    Some(CurvePlot { plot, per_metre })
+    Some(CurvePlot { plot, units })
 }
 
 /// Where the laboratory curve ends, or leaves the chart.
 fn laboratory_label(app: &App, values: Values, chart: &mut CurvePlot, theme: &Theme) {
     let text = format!(
         "lab {} at {}",
-        force_text(values.force),
+        force_text(values.force, app.units()),
         length_text(values.deflection, app.units())
     );
     let inside = chart.mark(end(&values), 'l', Ink::Laboratory);
@@ -179,12 +179,17 @@ fn design_lines(app: &App, chart: &CurvePlot, grid: &mut DotGrid) {
     }
 }
 
+/// What a chart shows, with its units.
+pub(super) fn axes_words(units: Units) -> String {
+    format!("F ({}) over delta ({})", units.force_symbol(), units.symbol())
+}
+
 /// The axes and the design values in words, for the chart's heading.
 pub(crate) fn caption(app: &App) -> String {
     let asked = app.layout().asked();
-    let mut parts = vec![format!("F (kN) over delta ({})", app.units().symbol())];
+    let mut parts = vec![axes_words(app.units())];
     if let Some(f) = asked.force {
-        parts.push(format!("design {}", significant(to_kn(f * asked.gamma_load), 3)));
+        parts.push(format!("design {}", app.units().force_number(f * asked.gamma_load, 3)));
     }
     if let Some(d) = asked.deflection {
         parts.push(format!("allowed {}", length_text(d, app.units())));

@@ -15,7 +15,7 @@ use crate::show::say;
 use crate::study::checks::{self, Difference};
 use crate::study::remark::CheckRemark;
 use crate::study::result::places::Places;
-use crate::units::{force_text, length_text, significant, to_kn};
+use crate::units::{force_text, length_text, significant};
 use crate::words::Choice;
 use ratatui::style::Style;
 
@@ -56,7 +56,7 @@ pub(crate) fn lines(app: &App, theme: &Theme) -> Vec<(String, Style)> {
     lines.extend(later.iter().map(|r| (format!(" {}", r.short()), theme.caution)));
     if let Some(arrangement) = &result.field.arrangement {
         let anchor = result.anchor().map_or(String::new(), |a| {
-            format!(", anchor {}", force_text(a.normal.hypot(a.in_plane)))
+            format!(", anchor {}", force_text(a.normal.hypot(a.in_plane), app.units()))
         });
         lines.push((format!(" {arrangement}{anchor}"), theme.text));
     }
@@ -91,19 +91,23 @@ fn figures(app: &App, shown: &ShownCheck) -> String {
     };
     let stale = if shown.stale() { " stale" } else { "" };
     if !result.broke() {
-        return format!("{label} no break, peak {}{stale}", force_text(result.peak.force));
+        return format!(
+            "{label} no break, peak {}{stale}",
+            force_text(result.peak.force, app.units())
+        );
     }
-    let mean = significant(to_kn(result.force.mean), 3);
+    let mean = app.units().force_number(result.force.mean, 3);
     let deviation = match result.breaks.len() {
         0 | 1 => String::new(),
         _ => {
             // As many decimals as the mean has.
             let decimals = mean.rsplit_once('.').map_or(0, |(_, d)| d.len());
-            format!("+-{:.decimals$}", to_kn(result.force.deviation))
+            format!("+-{:.decimals$}", app.units().force(result.force.deviation))
         }
     };
     format!(
-        "{label} {mean}{deviation} kN {}{stale}",
+        "{label} {mean}{deviation} {} {}{stale}",
+        app.units().force_symbol(),
         length_text(result.deflection.mean, app.units())
     )
 }

@@ -4,19 +4,19 @@ use crate::curve::{Curve, Point};
 use crate::show::grid::{DotGrid, DotPen};
 use crate::show::picture::Ink;
 use crate::show::plot::Plot;
-use crate::units::to_kn;
+use crate::units::Units;
 
 /// A plot that takes points in newtons and metres.
 pub(super) struct CurvePlot {
-    /// The plot, in kN over the unit of length shown.
+    /// The plot, in the units shown.
     pub(super) plot: Plot,
-    /// Units of length on the screen in a metre.
-    pub(super) per_metre: f64,
+    /// Those units.
+    pub(super) units: Units,
 }
 
 impl CurvePlot {
     fn shown(&self, point: Point) -> (f64, f64) {
-        (point.deflection * self.per_metre, to_kn(point.force))
+        (point.deflection * self.units.per_metre(), self.units.force(point.force))
     }
 
     /// Draws a curve; it ends where it leaves the chart at the top.
@@ -49,7 +49,7 @@ impl CurvePlot {
 
     /// The largest force and deflection of the chart.
     pub(super) fn end(&self) -> Point {
-        let force = self.plot.y.ends.1 * 1000.0;
-        Point { deflection: self.plot.x.ends.1 / self.per_metre, force }
+        let force = self.units.newtons(self.plot.y.ends.1);
+        Point { deflection: self.plot.x.ends.1 / self.units.per_metre(), force }
     }
 }

@@ -10,7 +10,7 @@ use crate::forecast::NoField;
 use crate::remark::Weight;
 use crate::show::names::shortened;
 use crate::study::verdict::{Finding, Verdict};
-use crate::units::{significant, to_kn};
+use crate::units::Units;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -22,7 +22,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     } else {
         "layouts".to_string()
     };
-    heading(buf, area, &title, "F_a kN", theme);
+    heading(buf, area, &title, &format!("F_a {}", app.units().force_symbol()), theme);
     let list = below(area, 1);
     let rows = usize::from(list.height);
     let first = first_shown(app.selected(), rows, layouts.len());
@@ -35,7 +35,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         let sign = if selected { ">" } else { " " };
         let letter = overlay_letter(app, index).unwrap_or(' ');
         let result = &app.results()[index];
-        let (value, doubt) = force(result);
+        let (value, doubt) = force(result, app.units());
         let finding = result.verdict.as_ref().map_or(Finding::NotAsked, Verdict::finding);
         let used = unicode_width::UnicodeWidthStr::width(name.as_str());
         let line = format!(
@@ -57,13 +57,13 @@ pub(crate) fn first_shown(selected: usize, rows: usize, count: usize) -> usize {
 }
 
 /// The force of a layout and the mark of its warnings.
-fn force(result: &LayoutResult) -> (String, &'static str) {
+fn force(result: &LayoutResult, units: Units) -> (String, &'static str) {
     let Some(forecast) = result.forecast() else { return ("error".into(), "!") };
     let weight =
         forecast.warnings.iter().map(super::super::forecast::warning::Warning::weight).max();
     let mark = if weight >= Some(Weight::Caution) { "!" } else { " " };
     let value = match &forecast.field {
-        Ok(field) => significant(to_kn(field.values.force), 3),
+        Ok(field) => units.force_number(field.values.force, 3),
         Err(NoField::PunchOnPlate) => "plate".into(),
         Err(why) => why.short().into(),
     };

@@ -34,7 +34,7 @@ pub(crate) fn draw(
         let text = format!(
             " {sign}{used} {:<16} {:>9} {:>8}  {}{inline}",
             mesh.id,
-            force_text(mesh.laboratory.force),
+            force_text(mesh.laboratory.force, app.units()),
             maybe_length_text(mesh.laboratory.deflection, app.units()),
             mesh.title()
         );
@@ -49,7 +49,7 @@ pub(crate) fn draw(
     let mut lines = vec![
         format!(
             "punch test {} at {}, {}; panel {}, punch {}",
-            force_text(lab.force),
+            force_text(lab.force, app.units()),
             maybe_length_text(lab.deflection, app.units()),
             lab.statistic.word(),
             length_text(lab.panel, app.units()),

@@ -22,9 +22,9 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     ];
     if list.height >= 8 {
         let m = |v: Option<f64>| maybe_length_text(v, app.units());
-        rows.push(("F_l*", force_text(forecast.laboratory.force)));
+        rows.push(("F_l*", force_text(forecast.laboratory.force, app.units())));
         rows.push(("delta_l*", m(forecast.laboratory.deflection)));
-        rows.push(("F_a*", force_text(forecast.reference.force)));
+        rows.push(("F_a*", force_text(forecast.reference.force, app.units())));
         rows.push(("delta_a*", m(forecast.reference.deflection)));
     }
     let e = &forecast.eccentricity;

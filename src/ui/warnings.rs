@@ -3,7 +3,7 @@
 use super::text::{below, heading, put};
 use super::theme::Theme;
 use crate::app::App;
-use crate::units::{length_text, significant, to_kn};
+use crate::units::length_text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -35,19 +35,23 @@ pub(crate) fn curve_table(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme
     let list = below(area, 1);
     let field = app.result().forecast().and_then(|f| f.field.ok());
     let Some(end) = field.and_then(|field| field.end()) else { return };
-    let header = "delta      F kN    tangent     secant  energy";
-    put(buf, list, 0, 1, header, theme.heading);
-    put(buf, list, 1, 1, "                       kN/m       kN/m      kJ", theme.heading);
+    let units = app.units();
+    let force = format!("F {}", units.force_symbol());
+    let header =
+        format!("{:<8} {force:>6} {:>10} {:>10} {:>7}", "delta", "tangent", "secant", "energy");
+    put(buf, list, 0, 1, &header, theme.heading);
+    let (stiffness, energy) = (units.stiffness_symbol(), units.energy_symbol());
+    let header = format!("{:<15} {stiffness:>10} {stiffness:>10} {energy:>7}", "");
+    put(buf, list, 1, 1, &header, theme.heading);
     for (row, percent) in [25, 50, 75, 90, 100].into_iter().enumerate() {
         let delta = end.deflection * f64::from(percent) / 100.0;
-        let number = |newton: f64| significant(to_kn(newton), 3);
         let text = format!(
             "{:<8} {:>6} {:>10} {:>10} {:>7}",
-            length_text(delta, app.units()),
-            number(end.force_at(delta)),
-            number(end.tangent_at(delta)),
-            number(end.secant_at(delta)),
-            number(end.energy_to(delta)),
+            length_text(delta, units),
+            units.force_number(end.force_at(delta), 3),
+            units.stiffness_number(end.tangent_at(delta)),
+            units.stiffness_number(end.secant_at(delta)),
+            units.energy_number(end.energy_to(delta)),
         );
         put(buf, list, row as u16 + 2, 1, &text, theme.text);
     }

@@ -1,13 +1,19 @@
 //! Quantities as people write them (`250 mm`, `0.25 m`, `73.3 kN`), to and from SI.
 //!
 //! Inside the program lengths are metres, forces newtons, stresses pascals and masses kilograms.
-//! This is the one place that converts. People read and type metres or millimetres and kilonewtons;
-//! a bare number in a file or on the command line is metres or kilonewtons, on the screen it is in
-//! the unit the screen shows.
+//! This is the one place that converts. People read and type metres or millimetres and kilonewtons,
+//! feet or inches, kips or tonnes; a bare number in a file or on the command line is metres or
+//! kilonewtons, on the screen it is in the unit the screen shows.
 
+mod shown;
 mod thousands;
 
-use crate::words::Choice;
+pub use shown::{ChosenUnits, ForceUnit, LengthUnit, Units};
+use shown::{M_PER_FOOT, M_PER_INCH, N_PER_KIP, N_PER_TONNE};
+pub(crate) use shown::{
+    energy_text, force_entry, force_text, length_entry, length_text, maybe_length_text,
+    pressure_entry, stiffness_text,
+};
 use std::fmt;
 
 /// What a number measures, so that its unit can be read and checked.
@@ -21,52 +27,6 @@ pub enum Quantity {
     Pressure,
     /// A pure number, such as a partial factor.
     Number,
-}
-
-/// Length unit that the screen shows and in which bare numbers typed there are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-pub enum LengthUnit {
-    /// Metres.
-    #[default]
-    #[serde(rename = "m")]
-    Metre,
-    /// Millimetres.
-    #[serde(rename = "mm")]
-    Millimetre,
-}
-
-impl LengthUnit {
-    /// The unit's sign: `m` or `mm`.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            LengthUnit::Metre => "m",
-            LengthUnit::Millimetre => "mm",
-        }
-    }
-
-    /// How many of this unit make a metre.
-    pub(crate) fn per_metre(self) -> f64 {
-        match self {
-            LengthUnit::Metre => 1.0,
-            LengthUnit::Millimetre => 1000.0,
-        }
-    }
-
-    /// The other unit.
-    pub(crate) fn other(self) -> Self {
-        match self {
-            LengthUnit::Metre => LengthUnit::Millimetre,
-            LengthUnit::Millimetre => LengthUnit::Metre,
-        }
-    }
-}
-
-impl Choice for LengthUnit {
-    const ALL: &'static [LengthUnit] = &[LengthUnit::Metre, LengthUnit::Millimetre];
-
-    fn word(self) -> &'static str {
-        self.symbol()
-    }
 }
 
 /// Newtons in a kilonewton.
@@ -93,19 +53,22 @@ const UNITS: &[(&str, Quantity, Scale)] = &[
     ("mm", Quantity::Length, Scale::Over(1000.0)),
     ("cm", Quantity::Length, Scale::Over(100.0)),
     ("m", Quantity::Length, Scale::Times(1.0)),
-    ("ft", Quantity::Length, Scale::Times(0.3048)),
-    ("in", Quantity::Length, Scale::Times(0.0254)),
+    ("ft", Quantity::Length, Scale::Times(M_PER_FOOT)),
+    ("in", Quantity::Length, Scale::Times(M_PER_INCH)),
     ("kN", Quantity::Force, Scale::Times(1000.0)),
     ("MN", Quantity::Force, Scale::Times(1.0e6)),
     ("N", Quantity::Force, Scale::Times(1.0)),
     // The tonne as a force, by the standard gravity of 9.80665 m/s2; pound and kip are 0.45359237 kg
     // and a thousand times that under it.
-    ("t", Quantity::Force, Scale::Times(9806.65)),
-    ("kip", Quantity::Force, Scale::Times(4_448.221_615_260_5)),
-    ("lbf", Quantity::Force, Scale::Times(4.448_221_615_260_5)),
+    ("t", Quantity::Force, Scale::Times(N_PER_TONNE)),
+    ("kip", Quantity::Force, Scale::Times(N_PER_KIP)),
+    ("lbf", Quantity::Force, Scale::Times(N_PER_KIP / 1000.0)),
     ("kN/m2", Quantity::Pressure, Scale::Times(1000.0)),
     ("kPa", Quantity::Pressure, Scale::Times(1000.0)),
     ("Pa", Quantity::Pressure, Scale::Times(1.0)),
+    ("t/m2", Quantity::Pressure, Scale::Times(N_PER_TONNE)),
+    ("ksf", Quantity::Pressure, Scale::Times(N_PER_KIP / (M_PER_FOOT * M_PER_FOOT))),
+    ("psf", Quantity::Pressure, Scale::Times(N_PER_KIP / 1000.0 / (M_PER_FOOT * M_PER_FOOT))),
 ];
 
 #[derive(Debug, Clone, Copy)]
@@ -167,15 +130,11 @@ impl std::error::Error for QuantityError {}
 
 /// Reads a quantity and returns it in SI (m, N, or the bare number).
 ///
-/// A bare number is taken in the default unit: metres or `length_unit` for lengths, kN for forces.
+/// A bare number is taken in the default unit: in the unit shown.
 ///
 /// # Errors
 /// [`QuantityError`] says what is wrong with the text.
-pub fn parse(
-    text: &str,
-    quantity: Quantity,
-    length_unit: LengthUnit,
-) -> Result<f64, QuantityError> {
+pub fn parse(text: &str, quantity: Quantity, units: Units) -> Result<f64, QuantityError> {
     let text = text.trim();
     if text.is_empty() {
         return Err(QuantityError::Empty);
@@ -204,10 +163,13 @@ pub fn parse(
         return Err(QuantityError::NotFinite(number.to_string()));
     }
     let scale = if unit.is_empty() {
-        match (quantity, length_unit) {
+        match (quantity, units.length) {
+            (Quantity::Length, LengthUnit::Metre) | (Quantity::Number, _) => Scale::Times(1.0),
             (Quantity::Length, LengthUnit::Millimetre) => Scale::Over(1000.0),
-            (Quantity::Force | Quantity::Pressure, _) => Scale::Times(N_PER_KN),
-            _ => Scale::Times(1.0),
+            (Quantity::Length, LengthUnit::Foot) => Scale::Times(M_PER_FOOT),
+            (Quantity::Length, LengthUnit::Inch) => Scale::Times(M_PER_INCH),
+            (Quantity::Force, _) => Scale::Times(units.newtons(1.0)),
+            (Quantity::Pressure, _) => Scale::Times(units.pascals()),
         }
     } else {
         find_unit(unit, quantity)?
@@ -227,10 +189,10 @@ pub fn parse(
 pub(crate) fn parse_typed(
     text: &str,
     quantity: Quantity,
-    length_unit: LengthUnit,
+    units: Units,
 ) -> Result<f64, QuantityError> {
-    match parse(text, quantity, length_unit) {
-        Err(QuantityError::DecimalComma(fixed)) => parse(&fixed, quantity, length_unit),
+    match parse(text, quantity, units) {
+        Err(QuantityError::DecimalComma(fixed)) => parse(&fixed, quantity, units),
         other => other,
     }
 }
@@ -265,7 +227,7 @@ fn find_unit(unit: &str, quantity: Quantity) -> Result<Scale, QuantityError> {
             allowed: match quantity {
                 Quantity::Length => "m, cm, mm, ft or in",
                 Quantity::Force => "kN, N, MN, t, kip or lbf",
-                Quantity::Pressure => "kN/m2, kPa or Pa",
+                Quantity::Pressure => "kN/m2, kPa, Pa, t/m2, ksf or psf",
                 Quantity::Number => "no unit",
             },
         }),
@@ -304,39 +266,6 @@ pub(crate) fn without_noise(value: f64) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-/// A length as entered, in `unit`, shortest form without the unit's sign: `0.32` or `320`.
-pub(crate) fn length_entry(metres: f64, unit: LengthUnit) -> String {
-    let text = shortest(metres * unit.per_metre());
-    match unit {
-        LengthUnit::Millimetre => text.strip_suffix(".0").unwrap_or(&text).to_string(),
-        LengthUnit::Metre => {
-            // At least two decimals in metres, so that columns of lengths read alike.
-            match text.find('.') {
-                Some(dot) if text.len() - dot - 1 < 2 => format!("{text}0"),
-                _ => text,
-            }
-        }
-    }
-}
-
-/// A computed length with its unit at the precision of the method: `0.620 m` or `620 mm`.
-pub(crate) fn length_text(metres: f64, unit: LengthUnit) -> String {
-    match unit {
-        LengthUnit::Metre => format!("{metres:.3} m"),
-        LengthUnit::Millimetre => format!("{:.0} mm", metres * 1000.0),
-    }
-}
-
-/// The same of one that may be missing, `-`.
-pub(crate) fn maybe_length_text(metres: Option<f64>, unit: LengthUnit) -> String {
-    metres.map_or("-".into(), |metres| length_text(metres, unit))
-}
-
-/// A computed force in kN at three significant digits, with its unit: `31.0 kN`.
-pub(crate) fn force_text(newton: f64) -> String {
-    format!("{} kN", significant(to_kn(newton), 3))
-}
-
 /// A utilisation in per cent at three digits, and at four where three would hide which side of 100 it
 /// is on: `96.1`, `100.2`.
 pub(crate) fn percent(utilisation: f64) -> String {
@@ -350,7 +279,7 @@ pub(crate) fn percent(utilisation: f64) -> String {
 
 /// Reading and writing quantities in files: bare numbers are metres or kN, text may carry a unit.
 pub(crate) mod file {
-    use super::{LengthUnit, Quantity, parse};
+    use super::{Quantity, Units, parse};
     use serde::{Deserializer, Serializer, de};
     use std::fmt;
 
@@ -392,7 +321,7 @@ pub(crate) mod file {
             self.bare(v as f64)
         }
         fn visit_str<E: de::Error>(self, v: &str) -> Result<f64, E> {
-            parse(v, self.0, LengthUnit::Metre).map_err(E::custom)
+            parse(v, self.0, Units::METRES).map_err(E::custom)
         }
     }
 
@@ -461,21 +390,21 @@ mod tests {
             ("2.5e-1 m", 0.25),
             ("-1.15 M", -1.15),
         ] {
-            assert_eq!(parse(text, Quantity::Length, LengthUnit::Metre), Ok(metres), "{text}");
+            assert_eq!(parse(text, Quantity::Length, Units::METRES), Ok(metres), "{text}");
         }
-        assert_eq!(parse("250", Quantity::Length, LengthUnit::Millimetre), Ok(0.25));
+        assert_eq!(parse("250", Quantity::Length, Units::MILLIMETRES), Ok(0.25));
     }
 
     #[test]
     fn forces_are_read_in_newtons() {
-        assert_eq!(parse("73.3", Quantity::Force, LengthUnit::Metre), Ok(73300.0));
-        assert_eq!(parse("500 N", Quantity::Force, LengthUnit::Metre), Ok(500.0));
-        assert!(parse("5 mN", Quantity::Force, LengthUnit::Metre).is_err());
+        assert_eq!(parse("73.3", Quantity::Force, Units::METRES), Ok(73300.0));
+        assert_eq!(parse("500 N", Quantity::Force, Units::METRES), Ok(500.0));
+        assert!(parse("5 mN", Quantity::Force, Units::METRES).is_err());
     }
 
     #[test]
     fn refusals_say_what_to_do() {
-        let said = |t: &str| parse(t, Quantity::Length, LengthUnit::Metre).unwrap_err().to_string();
+        let said = |t: &str| parse(t, Quantity::Length, Units::METRES).unwrap_err().to_string();
         assert_eq!(said("2,7 m"), "write the decimal point as a point: 2.7 m");
         assert_eq!(said("3 kN"), "unit \"kN\" does not fit here; use m, cm, mm, ft or in");
         assert_eq!(said("3 000 mm"), "write thousands without a sign between them: 3000 mm");
@@ -488,7 +417,7 @@ mod tests {
 
     #[test]
     fn a_typed_comma_is_a_decimal_point_where_it_can_be_nothing_else() {
-        let read = |t: &str| parse_typed(t, Quantity::Length, LengthUnit::Metre);
+        let read = |t: &str| parse_typed(t, Quantity::Length, Units::METRES);
         assert_eq!((read("2,5"), read("2,75 m"), read("-0,2")), (Ok(2.5), Ok(2.75), Ok(-0.2)));
         assert!(matches!(read("1,250"), Err(QuantityError::Thousands { .. })));
         assert!(read("1,2,3").is_err() && read(",").is_err());
@@ -496,7 +425,7 @@ mod tests {
 
     #[test]
     fn feet_inches_kips_and_tonnes_are_what_they_are_defined_as() {
-        let of = |t: &str, quantity| parse(t, quantity, LengthUnit::Metre).unwrap();
+        let of = |t: &str, quantity| parse(t, quantity, Units::METRES).unwrap();
         assert_eq!((of("10 ft", Quantity::Length), of("10in", Quantity::Length)), (3.048, 0.254));
         // 1 kip is 1000 lbf; 1 lbf is 0.45359237 kg x 9.80665 m/s2.
         assert!((of("1 lbf", Quantity::Force) - 0.453_592_37 * 9.806_65).abs() < 1e-12);
@@ -515,13 +444,9 @@ mod tests {
     }
 
     #[test]
-    fn entries_are_short_and_free_of_noise() {
+    fn entries_keep_no_noise() {
         assert_eq!(shortest(0.1 + 0.2), "0.3");
         assert_eq!(shortest(3.0), "3.0");
         assert_eq!(shortest(-0.0), "0.0");
-        assert_eq!(length_entry(0.32, LengthUnit::Metre), "0.32");
-        assert_eq!(length_entry(3.0, LengthUnit::Metre), "3.00");
-        assert_eq!(length_entry(0.3215, LengthUnit::Metre), "0.3215");
-        assert_eq!(length_entry(0.32, LengthUnit::Millimetre), "320");
     }
 }

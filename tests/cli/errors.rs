@@ -48,7 +48,7 @@ fn words_that_are_not_known_are_said_with_those_that_are() {
     says(&["mesh", "show", "nothing"], &["\"nothing\"", "\"dt-8x10-2.7\""]);
     says(&["--glyphs", "dots", "forecast"], &["braille, block, ascii"]);
     says(&["--color", "256", "forecast"], &["auto, 16, none"]);
-    says(&["--units", "cm", "forecast"], &["m, mm"]);
+    says(&["--units", "cm", "forecast"], &["no unit cm", "m, mm, ft or in", "kN, kip or t"]);
 
     says(&["forecast", "--layout", "a"], &["PROJECT.ron"]);
     says(&["forecast", "--what"], &["--what"]);

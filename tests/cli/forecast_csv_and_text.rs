@@ -127,6 +127,12 @@ fn the_text_follows_the_unit_of_the_flag_and_of_the_project() {
     let layout = ["forecast", shown(&path), "--layout", "bench 2"];
     assert!(good(&layout).contains("d 250 mm, L 2500 mm"));
     assert!(good(&[&layout[..], &["--units", "m"]].concat()).contains("d 0.25 m"));
+    // 27.1 kN / 4.4482 is 6.09 kip, 0.635 m / 0.3048 is 2.08 ft.
+    let feet = good(&["--units", "ft,kip", "forecast"]);
+    assert!(feet.contains("F_a 6.08 kip, delta_a 2.08 ft"), "{feet}");
+    // Programs get the same bytes whatever people are shown.
+    let json = |units| good(&["--units", units, "forecast", "--format", "json"]);
+    assert_eq!(json("ft,kip"), json("m"));
 }
 
 #[test]

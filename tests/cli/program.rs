@@ -98,7 +98,7 @@ fn a_project_is_taken_from_standard_input() {
         assert_eq!(ran.code, 0, "{words:?}: {}", ran.err);
         let of_file: Vec<&str> =
             words.iter().map(|w| if *w == "-" { shown(&path) } else { w }).collect();
-        assert_eq!(ran.out, good(&of_file), "{words:?}");
+        assert_eq!(ran.out, run(&of_file).out, "{words:?}");
     }
     let bad = ran(command(&["forecast", "-"]).stdin(std::process::Stdio::null()).output().unwrap());
     assert!(bad.code == 2 && bad.err.contains("standard input"), "{}", bad.err);

@@ -8,7 +8,7 @@ use meshcast::project::{NamedLayout, Project};
 use meshcast::study::exactness::Exactness;
 use meshcast::study::result::Wanted;
 use meshcast::study::result::make::make;
-use meshcast::units::{LengthUnit, significant, to_kn};
+use meshcast::units::{Units, significant, to_kn};
 use std::sync::Arc;
 
 /// A project with a small cell that was checked, twice, and one that was not.
@@ -28,7 +28,7 @@ fn checked() -> Project {
 
 fn text(kind: ExportKind, project: &Project) -> String {
     let source = ReportSource { file_name: "small.ron", text: None, edited: false };
-    kind.text(project, 0, source, LengthUnit::Metre).unwrap()
+    kind.text(project, 0, source, Units::METRES).unwrap()
 }
 
 #[test]

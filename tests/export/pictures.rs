@@ -5,7 +5,7 @@ use meshcast::curve::{Curve, Point};
 use meshcast::export::svg::{Series, chart, plan};
 use meshcast::export::{Band, Check, ExportedLayout};
 use meshcast::forecast::rescaled;
-use meshcast::units::LengthUnit;
+use meshcast::units::Units;
 use roxmltree::{Document, Node};
 
 fn number(node: &Node, name: &str) -> f64 {
@@ -81,7 +81,7 @@ fn words(svg: &str) -> String {
     texts.filter_map(|n| n.text()).collect::<Vec<_>>().join(" ")
 }
 
-fn chart_of(cases: &[ExportedLayout], title: &str, unit: LengthUnit) -> String {
+fn chart_of(cases: &[ExportedLayout], title: &str, unit: Units) -> String {
     chart(&cases.iter().map(Series::from).collect::<Vec<_>>(), title, unit)
 }
 
@@ -89,7 +89,7 @@ fn chart_of(cases: &[ExportedLayout], title: &str, unit: LengthUnit) -> String {
 fn charts_are_sound_and_name_every_layout() {
     for (index, project) in projects().iter().enumerate() {
         let cases = good(project);
-        for unit in [LengthUnit::Metre, LengthUnit::Millimetre] {
+        for unit in [Units::METRES, Units::MILLIMETRES] {
             let svg = chart_of(&cases, &project.name, unit);
             assert_sound(&svg);
             let said = words(&svg);
@@ -103,7 +103,7 @@ fn charts_are_sound_and_name_every_layout() {
             keep(&format!("chart-{index}-{}.svg", unit.symbol()), &svg);
         }
         for (number, case) in cases.iter().enumerate() {
-            let svg = chart(&[Series::from(case)], &case.entry.name, project.display.length_unit);
+            let svg = chart(&[Series::from(case)], &case.entry.name, project.display.units);
             assert_sound(&svg);
             keep(&format!("chart-{index}-layout-{number}.svg"), &svg);
         }
@@ -114,7 +114,7 @@ fn charts_are_sound_and_name_every_layout() {
 fn plans_are_sound() {
     for (index, project) in projects().iter().enumerate() {
         for (number, case) in good(project).iter().enumerate() {
-            let svg = plan(case, project.display.length_unit);
+            let svg = plan(case, project.display.units);
             assert_sound(&svg);
             assert!(words(&svg).contains("twists of the net"));
             keep(&format!("plan-{index}-{number}.svg"), &svg);
@@ -125,7 +125,7 @@ fn plans_are_sound() {
 #[test]
 fn a_chart_says_what_it_shows() {
     let cases = good(&sample("road-cut.ron"));
-    let portal = words(&chart_of(&cases[2..3], "portal", LengthUnit::Metre));
+    let portal = words(&chart_of(&cases[2..3], "portal", Units::METRES));
     for said in [
         "deflection \u{3b4} (m)",
         "force F (kN)",
@@ -139,7 +139,7 @@ fn a_chart_says_what_it_shows() {
         assert!(portal.contains(said), "{said:?} is missing: {portal}");
     }
     let odd = good(&odd());
-    let of = |index: usize| words(&chart_of(&odd[index..=index], "odd", LengthUnit::Millimetre));
+    let of = |index: usize| words(&chart_of(&odd[index..=index], "odd", Units::MILLIMETRES));
     assert!(of(0).contains("by the other branch (small punch)"), "{}", of(0));
     assert!(of(0).contains("deflection \u{3b4} (mm)"));
     assert!(of(1).contains("no field value: the block is on an anchor plate"));
@@ -149,7 +149,7 @@ fn a_chart_says_what_it_shows() {
 
 #[test]
 fn an_empty_project_has_an_empty_chart() {
-    assert_sound(&chart(&[], "nothing", LengthUnit::Metre));
+    assert_sound(&chart(&[], "nothing", Units::METRES));
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn more_layouts_than_styles_are_told_apart_by_numbers() {
         one.layout.spacing = 2.0 + 0.05 * f64::from(n);
         project.layouts.push(one);
     }
-    let svg = chart_of(&good(&project), "many", LengthUnit::Metre);
+    let svg = chart_of(&good(&project), "many", Units::METRES);
     assert_sound(&svg);
     assert!(words(&svg).contains("layout number 44"));
     keep("chart-many.svg", &svg);
@@ -193,7 +193,7 @@ fn a_check_is_drawn_over_its_forecast() {
     let cases = good(&sample("road-cut.ron"));
     let checked = check(&cases[2]);
     let series = [Series { case: &cases[2], check: Some(&checked) }];
-    let svg = chart(&series, "portal", LengthUnit::Metre);
+    let svg = chart(&series, "portal", Units::METRES);
     assert_sound(&svg);
     let said = words(&svg);
     assert!(said.contains("check, 16 runs: first break at 33.5 kN, 0.642 m"), "{said}");
@@ -201,7 +201,7 @@ fn a_check_is_drawn_over_its_forecast() {
 
     let stale = Check { stale: true, ..checked };
     let both = [Series { case: &cases[2], check: Some(&stale) }, Series::from(&cases[0])];
-    let svg = chart(&both, "two", LengthUnit::Metre);
+    let svg = chart(&both, "two", Units::METRES);
     assert_sound(&svg);
     assert!(words(&svg).contains("stale: inputs have changed since"));
     keep("chart-check-two.svg", &svg);
@@ -212,7 +212,7 @@ fn a_check_is_drawn_over_its_forecast() {
 #[test]
 fn words_do_not_hang_on_the_order_of_painting() {
     let project = &projects()[0];
-    let svg = chart_of(&good(project), "chart", LengthUnit::Metre);
+    let svg = chart_of(&good(project), "chart", Units::METRES);
     let document = Document::parse(&svg).unwrap();
     assert!(!svg.contains("paint-order"));
     let texts: Vec<_> = document.descendants().filter(|n| n.has_tag_name("text")).collect();

@@ -11,7 +11,7 @@ fn report<'a>(
     checks: &'a [Option<Check>],
 ) -> Report<'a> {
     let source = ReportSource { file_name: "it's odd.ron", text: Some(ODD), edited: false };
-    Report { project, cases, checks, source, unit: project.display.length_unit, short: false }
+    Report { project, cases, checks, source, unit: project.display.units, short: false }
 }
 
 /// The text between the tags, pictures left out.

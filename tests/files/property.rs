@@ -4,7 +4,7 @@ use super::samples::{files, sample};
 use meshcast::layout::BranchRule;
 use meshcast::project::{self, MeshUse, NamedLayout, Project};
 use meshcast::study::verdict::Basis;
-use meshcast::units::LengthUnit;
+use meshcast::units::{ForceUnit, LengthUnit, Units};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::fs;
@@ -169,8 +169,8 @@ fn act(project: &mut Project, deed: &Deed) {
             project.basis = if mean { Basis::Mean } else { Basis::Characteristic };
         }
         Deed::Unit(mm) => {
-            project.display.length_unit =
-                if mm { LengthUnit::Millimetre } else { LengthUnit::Metre };
+            let feet = Units { length: LengthUnit::Foot, force: ForceUnit::Kip };
+            project.display.units = if mm { Units::MILLIMETRES } else { feet };
         }
         Deed::Copy(i) => {
             if let Some(layout) = one(project, i).cloned() {

@@ -2,7 +2,7 @@
 
 use super::samples::sample;
 use meshcast::project::{self, MeshUse, NamedLayout, Opened, Project};
-use meshcast::units::LengthUnit;
+use meshcast::units::{ForceUnit, LengthUnit, Units};
 
 pub(crate) fn open(text: &str) -> Opened {
     project::parse(text, "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
@@ -55,8 +55,16 @@ fn a_value_that_is_needed_comes_behind_its_neighbour() {
     assert!(text.contains("None, // from the survey\n            gamma_load: 1.2,\n"), "{text}");
     let text = after(SMALL, |p| p.layouts[1].question.gamma_load = 1.3);
     assert_eq!(text, SMALL.replace("ex: 0.1)", "ex: 0.1, gamma_load: 1.3)"));
-    let text = after(SMALL, |p| p.display.length_unit = LengthUnit::Millimetre);
+    let text = after(SMALL, |p| p.display.units = Units::MILLIMETRES);
     assert_eq!(text, SMALL.replace("    ],\n)", "    ],\n    display: (length_unit: mm),\n)"));
+    // Kilonewtons are not written: an older program would not know their name.
+    let feet = Units { length: LengthUnit::Foot, force: ForceUnit::Kip };
+    let both = after(SMALL, |p| p.display.units = feet);
+    let written = "    ],\n    display: (length_unit: ft, force_unit: kip),\n)";
+    assert_eq!(both, SMALL.replace("    ],\n)", written));
+    let metric = SMALL.replace("    ],\n)", "    ],\n    display: (length_unit: mm), // mine\n)");
+    let text = after(&metric, |p| p.display.units.force = ForceUnit::Tonne);
+    assert_eq!(text, metric.replace("unit: mm)", "unit: mm, force_unit: t)"));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use meshcast::forecast::field::Branch;
 use meshcast::forecast::{CURVE_POINTS, Field, Forecast, Values, forecast};
 use meshcast::layout::{BranchRule, Layout, REFERENCE};
 use meshcast::mesh::{MeshType, catalogue};
-use meshcast::units::{LengthUnit, Quantity, parse, shortest};
+use meshcast::units::{Quantity, Units, parse, shortest};
 use proptest::prelude::*;
 
 /// Relative rounding of a chain of some twenty operations.
@@ -262,7 +262,7 @@ proptest! {
     #[test]
     fn no_text_makes_the_reader_of_quantities_panic(text in ".{0,24}") {
         for quantity in [Quantity::Length, Quantity::Force, Quantity::Number] {
-            if let Ok(value) = parse(&text, quantity, LengthUnit::Metre) {
+            if let Ok(value) = parse(&text, quantity, Units::METRES) {
                 prop_assert!(value.is_finite());
             }
         }
@@ -278,7 +278,7 @@ proptest! {
             shortest(metres),
             format!("-{} m", shortest(metres)),
         ] {
-            let read = parse(&text, Quantity::Length, LengthUnit::Metre).unwrap().abs();
+            let read = parse(&text, Quantity::Length, Units::METRES).unwrap().abs();
             // Centimetres with a decimal are off by the rounding of one division.
             prop_assert!(close(read, metres, 3e-16), "{text}: {read}");
         }

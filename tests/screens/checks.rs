@@ -255,6 +255,28 @@ fn a_check_grows_on_the_chart_while_it_runs() {
     assert_eq!(now, text(&app));
 }
 
+/// The forecast carries the load and the check does not: what would mend it is not known, as only the
+/// forecast is searched, and that is said instead of a plate that mends nothing.
+#[test]
+fn where_the_check_alone_fails_no_cure_is_invented() {
+    let mut project = small();
+    project.basis = meshcast::study::verdict::Basis::Mean;
+    let mut app = start(project, (80, 24), COLOR);
+    press(&mut app, ":runs 2<Enter>:fidelity quick<Enter>");
+    check(&mut app, "c");
+    let check = app.shown_check().unwrap().result.force.mean;
+    let forecast = app.result().forecast().unwrap().field.unwrap().values.force;
+    assert!(check < forecast, "{check} {forecast}");
+    press(
+        &mut app,
+        &format!("<Down><Down><Down><Down><Down>{:.3}<Enter>i", (check + forecast) / 2e3),
+    );
+    // Lines are broken where the page ends.
+    let shown = text(&app).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(shown.contains("FAILS"), "{shown}");
+    assert!(shown.contains("only the forecast is searched"), "{shown}");
+}
+
 #[test]
 fn a_result_of_another_solver_is_stale() {
     let mut app = app();

@@ -12,7 +12,7 @@ use meshcast::mesh::{REFERENCE_ID, Statistic};
 use meshcast::project::schema::{NamedLayout, Project};
 use meshcast::project::{self, Overwrite};
 use meshcast::study::exactness::Exactness;
-use meshcast::units::LengthUnit;
+use meshcast::units::{ChosenUnits, Units};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ fn with(preferences: Preferences) -> App {
         kept: None,
         holder: None,
         look: preferences.look(&preferences.effective()),
-        units: preferences.effective().units,
+        units: preferences.effective().chosen_units(),
         size: (80, 24),
         preferences,
     })
@@ -49,7 +49,7 @@ fn settings_hold_at_once_and_are_kept() {
     );
     assert_eq!(app.settings().fidelity, Exactness::Quick);
     press(&mut app, ":set units mm<Enter>");
-    assert_eq!(app.units(), LengthUnit::Millimetre);
+    assert_eq!(app.units(), Units::MILLIMETRES);
     press(&mut app, ":set runs=12<Enter>:set live on<Enter>:set glyphs ascii<Enter>");
     assert_eq!(app.settings().runs, Some(12));
     assert!(app.settings().live);
@@ -58,7 +58,7 @@ fn settings_hold_at_once_and_are_kept() {
     press(&mut app, ":set runs 0<Enter>");
     assert!(text(&app).contains("runs: auto or 1 to 10000"), "{}", text(&app));
     press(&mut app, "<Esc>:set colours none<Enter>");
-    assert!(text(&app).contains("settings: units, glyphs, color, fidelity"), "{}", text(&app));
+    assert!(text(&app).contains("settings: units, forces, glyphs, color"), "{}", text(&app));
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn the_screen_of_settings() {
     };
     let mut app = with(preferences);
     assert_eq!(app.settings().fidelity, Exactness::Fine);
-    press(&mut app, ":set<Enter><Right><Down><Down><Down>");
+    press(&mut app, ":set<Enter><Right><Down><Down><Down><Down>");
     snapshot("settings", &app);
     // The arrow goes on from what the flag says; the flag is gone then.
     let effects = press(&mut app, "<Left>");
@@ -88,7 +88,7 @@ fn the_screen_of_settings() {
 fn a_flag_is_never_kept() {
     let flags = vec![(SettingItem::Units, "mm".into()), (SettingItem::Runs, "3".into())];
     let mut app = with(Preferences { flags, ..Preferences::default() });
-    assert_eq!((app.units(), app.settings().runs), (LengthUnit::Millimetre, Some(3)));
+    assert_eq!((app.units(), app.settings().runs), (Units::MILLIMETRES, Some(3)));
     let effects = press(&mut app, ":set live on<Enter>");
     let [Command::KeepSettings { settings, .. }, ..] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!((settings.units, settings.runs, settings.live), (None, None, true));
@@ -113,7 +113,7 @@ fn a_bad_file_of_settings_is_told_in_full() {
         kept: None,
         holder: None,
         look: MONO,
-        units: None,
+        units: ChosenUnits::default(),
         size: (80, 24),
         preferences,
     });

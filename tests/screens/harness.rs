@@ -48,7 +48,7 @@ pub(crate) fn start(project: Project, size: (u16, u16), look: Look) -> App {
         kept: None,
         holder: None,
         look,
-        units: None,
+        units: meshcast::units::ChosenUnits::default(),
         size,
         preferences: Preferences::default(),
     })

@@ -5,7 +5,7 @@ use meshcast::app::App;
 use meshcast::app::message::{Command, KeptEdits, Message, SaveFailure, Saved};
 use meshcast::app::settings::Preferences;
 use meshcast::layout::BranchRule;
-use meshcast::units::LengthUnit;
+use meshcast::units::{ChosenUnits, LengthUnit, Units};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ fn values_are_typed_with_and_without_a_unit() {
     assert_eq!(app.layout().layout.plate, 0.2);
     press(&mut app, "t250<Enter>");
     assert_eq!(app.layout().layout.plate, 0.25);
-    assert_eq!(app.units(), LengthUnit::Millimetre);
+    assert_eq!(app.units(), Units::MILLIMETRES);
     press(&mut app, "<Down><Down><Down>-500<Enter>");
     assert_eq!(app.layout().layout.ex, -0.5);
 }
@@ -202,18 +202,36 @@ fn a_unit_from_the_command_line_is_not_saved() {
         kept: None,
         holder: None,
         look: COLOR,
-        units: Some(LengthUnit::Millimetre),
+        units: ChosenUnits { length: Some(LengthUnit::Millimetre), force: None },
         size: (80, 24),
         preferences: Preferences::default(),
     });
     assert!(text(&app).contains("250 mm"));
     press(&mut app, "260<Enter>");
     assert_eq!(app.layout().layout.plate, 0.26);
-    assert_eq!(app.project().display.length_unit, LengthUnit::Metre);
+    assert_eq!(app.project().display.units, Units::METRES);
     // The key sets the project's own unit.
     press(&mut app, "tt");
     assert!(text(&app).contains("260 mm"));
-    assert_eq!(app.project().display.length_unit, LengthUnit::Millimetre);
+    assert_eq!(app.project().display.units, Units::MILLIMETRES);
+}
+
+/// What is typed without a unit is in the unit shown: 12 kip is 12 x 4.4482216 kN.
+#[test]
+fn feet_and_kips_are_shown_and_typed() {
+    let mut app = app();
+    press(&mut app, ":units ft,kip<Enter>10<Enter>");
+    assert!(text(&app).contains("above 0, below L = 8.2021 ft"), "{}", text(&app));
+    press(&mut app, "<Esc>0.82<Enter>");
+    assert!((app.layout().layout.plate - 0.82 * 0.3048).abs() < 1e-9);
+    press(&mut app, "<Down><Down><Down><Down><Down>12<Enter>");
+    let force = app.layout().question.force.unwrap();
+    assert!((force - 12.0 * 4_448.221_615_260_5).abs() < 1e-6, "{force}");
+    assert!(text(&app).contains("F (kip) over delta (ft)"), "{}", text(&app));
+    press(&mut app, "t");
+    assert!(text(&app).contains("F (kip) over delta (in)"), "{}", text(&app));
+    press(&mut app, ":units yd<Enter>");
+    assert!(text(&app).contains("m, mm, ft or in"), "{}", text(&app));
 }
 
 #[test]
@@ -373,7 +391,7 @@ fn kept_edits_are_offered_and_can_be_taken_back() {
             kept: Some(KeptEdits { project: Arc::new(kept.clone()), about: Vec::new() }),
             holder: None,
             look: COLOR,
-            units: None,
+            units: ChosenUnits::default(),
             size: (80, 24),
             preferences: Preferences::default(),
         })

@@ -33,6 +33,17 @@ fn main_screen_with_everything_on_it() {
 }
 
 #[test]
+fn the_main_screens_in_feet_and_kips() {
+    let script =
+        ":units ft,kip<Enter><Down><Down><Down><Down><Down>2.7<Enter><Down><Down>1.6<Enter>";
+    check("feet_80x24", script, (80, 24), MONO);
+    check("feet_120x40", script, (120, 40), MONO);
+    check("feet_details", &format!("{script}i"), (80, 24), MONO);
+    check("feet_compare", &format!("{script}v"), (80, 24), MONO);
+    check("tonnes_sweep", &format!("{script}:units m t<Enter>w"), (80, 24), MONO);
+}
+
+#[test]
 fn other_screens() {
     for (name, script) in [
         ("help", "?"),

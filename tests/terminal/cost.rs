@@ -40,7 +40,7 @@ impl Bench {
             kept: None,
             holder: None,
             look,
-            units: None,
+            units: meshcast::units::ChosenUnits::default(),
             size,
             preferences: Preferences::default(),
         });

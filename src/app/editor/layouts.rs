@@ -11,7 +11,7 @@ use crate::project::schema::{
     LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout,
 };
 use crate::study::verdict::Basis;
-use crate::units::LengthUnit;
+use crate::units::ChosenUnits;
 use crate::words::Choice;
 use std::sync::Arc;
 
@@ -318,10 +318,11 @@ impl Editor {
         }
     }
 
-    /// Sets the unit of lengths, kept in the project.
-    pub(in crate::app) fn set_units(&mut self, unit: LengthUnit) {
-        self.units = None;
-        self.edit("units", |project| project.display.length_unit = unit);
+    /// Sets one unit or both, kept in the project.
+    pub(in crate::app) fn set_units(&mut self, chosen: ChosenUnits) {
+        let units = chosen.over(self.units());
+        self.units = ChosenUnits::default();
+        self.edit("units", |project| project.display.units = units);
     }
 
     /// The meshes to choose from: the project's own first, then the catalogue.

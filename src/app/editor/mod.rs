@@ -16,7 +16,7 @@ use crate::mesh::REFERENCE_ID;
 use crate::problem::Problem;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::CheckResult;
-use crate::units::LengthUnit;
+use crate::units::{ChosenUnits, Units};
 use history::{HistoryStep, Run};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -37,16 +37,12 @@ pub(super) struct Editor {
     /// What stands for the selected layout of a project without layouts; never shown.
     stand_in: (NamedLayout, LayoutResult),
     /// A unit asked for beside the project: it is not the project's and never saved.
-    units: Option<LengthUnit>,
+    units: ChosenUnits,
 }
 
 impl Editor {
     /// A project as it stands in its file.
-    pub(super) fn new(
-        project: Arc<Project>,
-        path: Option<PathBuf>,
-        units: Option<LengthUnit>,
-    ) -> Editor {
+    pub(super) fn new(project: Arc<Project>, path: Option<PathBuf>, units: ChosenUnits) -> Editor {
         Editor {
             results: derived::all(&project),
             saved: project.clone(),
@@ -129,13 +125,13 @@ impl Editor {
         self.results.get(index)?.case.as_ref()
     }
 
-    /// Unit of lengths on the screen.
-    pub(super) fn units(&self) -> LengthUnit {
-        self.units.unwrap_or(self.project.display.length_unit)
+    /// Units on the screen.
+    pub(super) fn units(&self) -> Units {
+        self.units.over(self.project.display.units)
     }
 
-    /// Shows lengths in a unit beside the project's own, or in that again.
-    pub(super) fn show_units(&mut self, units: Option<LengthUnit>) {
+    /// Shows other units than the project's own, or those again.
+    pub(super) fn show_units(&mut self, units: ChosenUnits) {
         self.units = units;
     }
 

@@ -34,7 +34,10 @@ pub const COMMANDS: &[CommandHelp] = &[
     CommandHelp { form: "grid square|rectangular|staggered", help: "grid of anchors, as P" },
     CommandHelp { form: "twists down|across", help: "how the net hangs, as T" },
     CommandHelp { form: "shape dome|sphere|flat", help: "shape of the block in the check" },
-    CommandHelp { form: "units m|mm", help: "unit of lengths" },
+    CommandHelp {
+        form: "units m|mm|ft|in|kN|kip|t",
+        help: "units shown, one or two: units ft,kip",
+    },
     CommandHelp { form: "glyphs braille|block|ascii", help: "signs that charts are drawn with" },
     CommandHelp { form: "color 16|none", help: "colours" },
     CommandHelp { form: "export", help: "choose what to write to a file" },

@@ -10,7 +10,7 @@ use crate::show::say;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
-use crate::units::{force_text, length_text, significant, to_kj, to_kn};
+use crate::units::{energy_text, force_text, length_text, significant, stiffness_text};
 use crate::words::Choice;
 
 /// All there is to know of the check shown.
@@ -37,12 +37,12 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     page.row("runs", &format!("{} ({asked}), seed {}", v.runs, v.wanted.seed));
     page.row("fidelity", v.wanted.fidelity.word());
     if v.broke() {
-        let kn = |value: f64| significant(to_kn(value), 3);
+        let kn = |value: f64| app.units().force_number(value, 3);
         page.row(
             "force at the first break",
             &format!(
                 "{} +- {} (deviation); standard error {}",
-                force_text(v.force.mean),
+                force_text(v.force.mean, app.units()),
                 kn(v.force.deviation),
                 kn(v.force.error)
             ),
@@ -57,7 +57,7 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
                 &format!(
                     "{} to {}, {} to {}",
                     kn(v.force.band[0]),
-                    force_text(v.force.band[1]),
+                    force_text(v.force.band[1], app.units()),
                     m(v.deflection.band[0]),
                     m(v.deflection.band[1])
                 ),
@@ -65,9 +65,12 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
         }
     }
     if let Some(force) = v.characteristic() {
-        page.row("characteristic force", &format!("{}; {CHARACTERISTIC}", force_text(force)));
+        page.row(
+            "characteristic force",
+            &format!("{}; {CHARACTERISTIC}", force_text(force, app.units())),
+        );
     }
-    if let Some(patterns) = sentence(&v.catches()) {
+    if let Some(patterns) = sentence(&v.catches(), app.units()) {
         page.row("patterns", &patterns);
     }
     if let Some(arrangement) = &v.field.arrangement {
@@ -76,16 +79,19 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
         page.row("blocks", &format!("{arrangement}{of}"));
     }
     if let Some(a) = v.anchor() {
-        let [normal, largest] = [a.normal, a.largest].map(force_text);
-        let in_plane = force_text(a.in_plane);
+        let [normal, largest] = [a.normal, a.largest].map(|v| force_text(v, app.units()));
+        let in_plane = force_text(a.in_plane, app.units());
         page.row(
             "worst anchor",
             &format!("{normal} out of the plane, {in_plane} in it; largest {largest}"),
         );
     }
-    page.row("peak", &format!("{} at {}", force_text(v.peak.force), m(v.peak.deflection)));
-    page.row("stiffness at 75 %", &format!("{} kN/m", significant(to_kn(v.k75), 3)));
-    page.row("energy to the first break", &format!("{} kJ", significant(to_kj(v.energy), 3)));
+    page.row(
+        "peak",
+        &format!("{} at {}", force_text(v.peak.force, app.units()), m(v.peak.deflection)),
+    );
+    page.row("stiffness at 75 %", &stiffness_text(v.k75, app.units()));
+    page.row("energy to the first break", &energy_text(v.energy, app.units()));
     let places = Places::from_result(v, &app.layout().layout);
     if !v.breaks.is_empty() && !shown.stale() {
         page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
@@ -110,7 +116,11 @@ pub(super) fn remade(page: &mut TextPage, app: &App) {
     for (layout, former) in formers {
         let now = layout.check.as_ref().and_then(|check| check.mean_break());
         let now_text = now.map_or("no break".to_string(), |p| {
-            format!("{}, {}", force_text(p.force), length_text(p.deflection, app.units()))
+            format!(
+                "{}, {}",
+                force_text(p.force, app.units()),
+                length_text(p.deflection, app.units())
+            )
         });
         page.text(
             &format!(

@@ -7,7 +7,7 @@ use crate::case::Derived;
 use crate::forecast::{Forecast, Strength, Values};
 use crate::show::{say, verdict};
 use crate::units::{
-    LengthUnit, force_text, length_text, maybe_length_text, percent, shortest, significant, to_kn,
+    Units, energy_text, force_text, length_text, maybe_length_text, percent, shortest,
 };
 use crate::words::Choice;
 
@@ -66,7 +66,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
             "punch test",
             &format!(
                 "{}, {} ({}), panel {}, punch {}",
-                force_text(lab.force),
+                force_text(lab.force, unit),
                 maybe_length_text(lab.deflection, unit),
                 lab.statistic.word(),
                 m(lab.panel),
@@ -101,7 +101,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
             "branch of A.1-A.2",
             &format!("{} (rule: {})", field.branch.word(), forecast.rule.word()),
         ),
-        Some(method) => page.row("method", &say::derived(method, &field)),
+        Some(method) => page.row("method", &say::derived(method, &field, app.units())),
     }
     if let Some(published) = field.published {
         page.row("by the published method", &say::beside(published, field.values, unit));
@@ -117,7 +117,7 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
     let blocks = app.layout().layout;
     page.row("shape of the block in the check", blocks.shape.word());
     page.row("blocks of other cells", blocks.blocks.word());
-    let (which, said) = say::anchors(&blocks, field.values.force);
+    let (which, said) = say::anchors(&blocks, field.values.force, app.units());
     page.row(which, &said);
     if let Some(end) = field.end() {
         curve(page, &end, unit);
@@ -126,26 +126,36 @@ fn numbers(page: &mut TextPage, app: &App, forecast: &Forecast) {
 }
 
 /// A few points of the curve, with stiffness and energy.
-fn curve(page: &mut TextPage, end: &Values, unit: LengthUnit) {
+fn curve(page: &mut TextPage, end: &Values, unit: Units) {
     page.heading("Curve (Eq. 3)");
-    page.text("  part of delta_a  delta     F kN    tangent kN/m  secant kN/m  energy kJ", 2);
+    let stiffness = unit.stiffness_symbol();
+    page.text(
+        &format!(
+            "  part of delta_a  delta     {:<7} {:<13} {:<12} energy {}",
+            format!("F {}", unit.force_symbol()),
+            format!("tangent {stiffness}"),
+            format!("secant {stiffness}"),
+            unit.energy_symbol()
+        ),
+        2,
+    );
     for percent in [25, 50, 75, 90, 100] {
         let delta = end.deflection * f64::from(percent) / 100.0;
         page.text(
             &format!(
                 "  {percent:>8} %       {:<9} {:<7} {:<13} {:<12} {}",
                 length_text(delta, unit),
-                significant(to_kn(end.force_at(delta)), 3),
-                significant(to_kn(end.tangent_at(delta)), 3),
-                significant(to_kn(end.secant_at(delta)), 3),
-                significant(to_kn(end.energy_to(delta)), 3),
+                unit.force_number(end.force_at(delta), 3),
+                unit.stiffness_number(end.tangent_at(delta)),
+                unit.stiffness_number(end.secant_at(delta)),
+                unit.energy_number(end.energy_to(delta)),
             ),
             2,
         );
     }
 }
 
-fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
+fn design(page: &mut TextPage, app: &App, unit: Units) {
     let layout = app.layout();
     let Some(answer) = app.result().answer() else { return };
     if answer.at_force.is_none() && answer.at_deflection.is_none() {
@@ -160,11 +170,11 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
             shortest(layout.question.gamma_resistance)
         ),
     );
-    page.row("design resistance F_a / factor", &force_text(answer.resistance));
+    page.row("design resistance F_a / factor", &force_text(answer.resistance, unit));
     if let Some(a) = answer.at_force {
-        page.row("design load F x factor", &force_text(a.load));
+        page.row("design load F x factor", &force_text(a.load, unit));
         page.row("utilisation", &format!("{} %", percent(a.utilisation)));
-        page.row("margin", &force_text(a.margin));
+        page.row("margin", &force_text(a.margin, unit));
         page.row(
             "deflection under it",
             &match (a.deflection, a.beyond_failure) {
@@ -178,15 +188,15 @@ fn design(page: &mut TextPage, app: &App, unit: LengthUnit) {
         }
     }
     if let Some(a) = answer.at_deflection {
-        page.row("force at the allowed deflection", &force_text(a.force));
-        page.row("the same / resistance factor", &force_text(a.design_force));
-        page.row("energy up to there", &format!("{} kJ", significant(to_kn(a.energy), 3)));
+        page.row("force at the allowed deflection", &force_text(a.force, unit));
+        page.row("the same / resistance factor", &force_text(a.design_force, unit));
+        page.row("energy up to there", &energy_text(a.energy, unit));
         if a.beyond_failure {
             page.text("  the panel fails before the allowed deflection is reached", 2);
         }
     }
 }
 
-fn pair(values: Strength, unit: LengthUnit) -> String {
-    format!("{}, {}", force_text(values.force), maybe_length_text(values.deflection, unit))
+fn pair(values: Strength, unit: Units) -> String {
+    format!("{}, {}", force_text(values.force, unit), maybe_length_text(values.deflection, unit))
 }

@@ -13,7 +13,9 @@ impl App {
         let settings = self.choices.set(item, word)?;
         let mut commands = vec![Command::KeepSettings { changed: item, settings }];
         match item {
-            SettingItem::Units => self.editor.show_units(self.settings().units),
+            SettingItem::Units | SettingItem::Forces => {
+                self.editor.show_units(self.settings().chosen_units());
+            }
             SettingItem::Glyphs => self.screen.set_glyphs(self.choices.look().glyphs),
             SettingItem::Color => self.screen.set_color(self.choices.look().color),
             SettingItem::Live if !self.settings().live => commands.extend(self.work.end_live()),

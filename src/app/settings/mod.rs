@@ -11,7 +11,7 @@ pub use preferences::Preferences;
 
 use super::look::{ColorChoice, Glyphs};
 use crate::study::exactness::Exactness;
-use crate::units::LengthUnit;
+use crate::units::{ChosenUnits, ForceUnit, LengthUnit};
 use crate::words::{Choice, words_of};
 
 /// Most runs of a check that can be asked for.
@@ -22,6 +22,8 @@ pub(crate) const MOST_RUNS: usize = 10_000;
 pub struct Settings {
     /// Unit of lengths; the project's own where nothing is said.
     pub units: Option<LengthUnit>,
+    /// Unit of forces; nothing for the project's.
+    pub forces: Option<ForceUnit>,
     /// Signs that charts are drawn with; what suits the terminal where nothing is said.
     pub glyphs: Option<Glyphs>,
     /// Colours.
@@ -41,6 +43,8 @@ pub struct Settings {
 pub enum SettingItem {
     /// Unit of lengths.
     Units,
+    /// Unit of forces.
+    Forces,
     /// Signs of charts.
     Glyphs,
     /// Colours.
@@ -60,8 +64,9 @@ const STEPS: [&str; 8] = ["auto", "1", "2", "4", "8", "16", "32", "64"];
 
 impl SettingItem {
     /// All settings, in the order of the screen and of the file.
-    pub(crate) const ALL: [SettingItem; 7] = [
+    pub(crate) const ALL: [SettingItem; 8] = [
         SettingItem::Units,
+        SettingItem::Forces,
         SettingItem::Glyphs,
         SettingItem::Color,
         SettingItem::Fidelity,
@@ -74,6 +79,7 @@ impl SettingItem {
     pub(crate) fn name(self) -> &'static str {
         match self {
             SettingItem::Units => "units",
+            SettingItem::Forces => "forces",
             SettingItem::Glyphs => "glyphs",
             SettingItem::Color => "color",
             SettingItem::Fidelity => "fidelity",
@@ -92,7 +98,8 @@ impl SettingItem {
     /// What it is, in a few words.
     pub(crate) fn about(self) -> &'static str {
         match self {
-            SettingItem::Units => "lengths: as the project says, m or mm",
+            SettingItem::Units => "lengths: as the project says, m, mm, ft or in",
+            SettingItem::Forces => "forces: as the project says, kN, kip or t",
             SettingItem::Glyphs => "signs that charts are drawn with",
             SettingItem::Color => "colours: what the terminal takes, 16 or none",
             SettingItem::Fidelity => "how exactly a check by simulation computes",
@@ -107,6 +114,7 @@ impl SettingItem {
         let or = |first, others: Vec<&'static str>| [vec![first], others].concat();
         match self {
             SettingItem::Units => or("project", words_of(LengthUnit::ALL)),
+            SettingItem::Forces => or("project", words_of(ForceUnit::ALL)),
             SettingItem::Glyphs => or("auto", words_of(Glyphs::ALL)),
             SettingItem::Color => words_of(ColorChoice::ALL),
             SettingItem::Fidelity => words_of(&Exactness::USUAL),
@@ -131,10 +139,16 @@ impl SettingItem {
 }
 
 impl Settings {
+    /// The units shown whatever a project has.
+    pub fn chosen_units(&self) -> ChosenUnits {
+        ChosenUnits { length: self.units, force: self.forces }
+    }
+
     /// The word for a setting's value.
     pub(crate) fn word(&self, item: SettingItem) -> String {
         match item {
             SettingItem::Units => self.units.map_or("project", LengthUnit::symbol).to_string(),
+            SettingItem::Forces => self.forces.map_or("project", ForceUnit::symbol).to_string(),
             SettingItem::Glyphs => self.glyphs.map_or("auto", Glyphs::word).to_string(),
             SettingItem::Color => self.color.word().to_string(),
             SettingItem::Fidelity => self.fidelity.word().to_string(),
@@ -155,8 +169,9 @@ impl Settings {
             return Err(refusal());
         }
         match item {
-            // The first word of these two stands for none of them.
+            // The first word of these three stands for none of them.
             SettingItem::Units => self.units = LengthUnit::from_word(word),
+            SettingItem::Forces => self.forces = ForceUnit::from_word(word),
             SettingItem::Glyphs => self.glyphs = Glyphs::from_word(word),
             SettingItem::Color => {
                 self.color = ColorChoice::from_word(word).ok_or_else(refusal)?;

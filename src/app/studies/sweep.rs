@@ -14,7 +14,7 @@ use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
 use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
-use crate::units::{LengthUnit, Quantity, length_entry, parse_typed, shortest, to_kn};
+use crate::units::{Units, parse_typed};
 use std::collections::HashMap;
 
 /// Values of the first input where nobody says otherwise.
@@ -298,13 +298,10 @@ impl SweepState {
     }
 
     /// The text of the chosen slot's value.
-    pub(super) fn slot_text(&self, unit: LengthUnit) -> Option<String> {
+    pub(super) fn slot_text(&self, unit: Units) -> Option<String> {
         let (axis, slot) = self.slot;
         let range = self.view.as_ref()?.axes.get(axis)?;
-        let entry = |value: f64| match range.input.is_force() {
-            true => shortest(to_kn(value)),
-            false => length_entry(value, unit),
-        };
+        let entry = |value: f64| range.input.entry_text(value, unit);
         match slot {
             Slot::Input => None,
             Slot::From => Some(entry(range.from)),
@@ -323,7 +320,7 @@ impl SweepState {
         axis: usize,
         slot: Slot,
         text: &str,
-        unit: LengthUnit,
+        unit: Units,
     ) -> Result<(), String> {
         let input = *self.inputs().get(axis).ok_or("there is no second input")?;
         if slot == Slot::Steps {
@@ -368,7 +365,6 @@ fn next_input(input: Input, up: bool, taken: Option<Input>) -> Input {
 }
 
 /// Reads a typed value of an input, SI.
-fn read(input: Input, text: &str, unit: LengthUnit) -> Result<f64, String> {
-    let quantity = if input.is_force() { Quantity::Force } else { Quantity::Length };
-    parse_typed(text, quantity, unit).map_err(|e| e.to_string())
+fn read(input: Input, text: &str, unit: Units) -> Result<f64, String> {
+    parse_typed(text, input.row().quantity, unit).map_err(|e| e.to_string())
 }

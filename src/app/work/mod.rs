@@ -193,13 +193,13 @@ impl Work {
         let text = if result.broke() {
             format!(
                 "{name}: {} at {}, {} {}",
-                force_text(result.force.mean),
+                force_text(result.force.mean, editor.units()),
                 length_text(result.deflection.mean, editor.units()),
                 result.runs,
                 if result.runs == 1 { "run" } else { "runs" }
             )
         } else {
-            format!("{name}: no wire broke, peak {}", force_text(result.peak.force))
+            format!("{name}: no wire broke, peak {}", force_text(result.peak.force, editor.units()))
         };
         let before = editor.layouts()[index].check.as_ref();
         let former = editor.case(index).and_then(|case| Former::of(before, case));

@@ -5,7 +5,7 @@ use crate::show::glyphs::Glyphs;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
 use crate::show::plot::{Plot, PlotAxis};
-use crate::units::{LengthUnit, length_text, significant, to_kn};
+use crate::units::{Units, length_text};
 
 /// Columns and rows between the axes.
 const COLUMNS: usize = 60;
@@ -22,7 +22,7 @@ pub(super) struct ChartLine<'a> {
 }
 
 /// The curves in one drawing, the later ones over the earlier ones. Failure points are `X`.
-pub(crate) fn draw(lines: &[ChartLine], unit: LengthUnit) -> Vec<String> {
+pub(crate) fn draw(lines: &[ChartLine], unit: Units) -> Vec<String> {
     let points = || lines.iter().flat_map(|l| l.curve.points());
     let most = |values: &mut dyn Iterator<Item = f64>| {
         values.filter(|v| v.is_finite()).fold(0.0, f64::max)
@@ -34,7 +34,7 @@ pub(crate) fn draw(lines: &[ChartLine], unit: LengthUnit) -> Vec<String> {
     }
     let x = vec![(0.0, "0".into()), (right, length_text(right, unit))];
     let x = PlotAxis { ends: (0.0, right), ticks: x };
-    let y = PlotAxis { ends: (0.0, top), ticks: vec![(top, significant(to_kn(top), 3))] };
+    let y = PlotAxis { ends: (0.0, top), ticks: vec![(top, unit.force_number(top, 3))] };
     let size = (MARGIN + 1 + COLUMNS, ROWS + 2);
     let Some(mut plot) = Plot::new(size, MARGIN, x, y, Glyphs::Ascii) else { return Vec::new() };
     plot.picture.put_right(ROWS - 1, MARGIN - 1, "0", Ink::Text);
@@ -48,7 +48,7 @@ pub(crate) fn draw(lines: &[ChartLine], unit: LengthUnit) -> Vec<String> {
         plot.mark(failure.deflection, failure.force, 'X', Ink::Text);
     }
     let mut out = plot.picture.lines();
-    out[0].push_str("  kN");
+    out[0].push_str(&format!("  {}", unit.force_symbol()));
     out
 }
 
@@ -62,11 +62,11 @@ mod tests {
         let end = Point { deflection: 0.5, force: 20_000.0 };
         let curve =
             Curve { deflection: vec![0.0, 0.5], force: vec![0.0, 20_000.0], failure: Some(end) };
-        let drawn = draw(&[ChartLine { curve: &curve, sign: '*' }], LengthUnit::Metre);
+        let drawn = draw(&[ChartLine { curve: &curve, sign: '*' }], Units::METRES);
         assert!(drawn[0].starts_with("    20.0 |") && drawn[0].contains("X  kN"), "{}", drawn[0]);
         assert!(drawn[ROWS - 1].starts_with("       0 |*"));
         assert!(drawn[..ROWS].iter().all(|row| row.contains(['*', 'X'])));
         assert!(drawn.iter().all(|row| row.len() <= 80));
-        assert!(draw(&[], LengthUnit::Metre).is_empty());
+        assert!(draw(&[], Units::METRES).is_empty());
     }
 }

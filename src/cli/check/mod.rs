@@ -15,6 +15,7 @@ pub(crate) use flags::CheckArgs;
 pub(super) use flags::{runs, threads};
 
 use super::case::{Inputs, NamedCase};
+use super::opening::load_project;
 use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, say};
 use super::watch::Watch;
 use super::wire::Wires;
@@ -26,7 +27,6 @@ use crate::fingerprint::Fingerprint;
 use crate::forecast::{Field, NoField, Strength, laboratory};
 use crate::mesh::STANDARD_PUNCH;
 use crate::problem::Problem;
-use crate::project;
 use crate::study::blocks::{self, Stood};
 use crate::study::ensemble::{Ensemble, Plan, Run};
 use crate::study::exactness::Exactness;
@@ -171,15 +171,15 @@ struct Ready {
 
 /// Runs the checks and writes the result in the form asked for.
 pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
-    let mut unit = ui.units;
+    let mut units = ui.units_over(crate::units::Units::default());
     let inputs = Inputs::of_check(args.geometry.clone(), args.question.clone());
     let mut basis = Basis::default();
     let cases = match &args.project {
         None => vec![inputs.alone()?],
         Some(path) => {
-            let opened = project::load(path)?;
+            let opened = load_project(path)?;
             basis = opened.project.basis;
-            unit = unit.or(Some(opened.project.display.length_unit));
+            units = ui.units_over(opened.project.display.units);
             inputs.of_project(&opened.project, args.layout.as_deref())?
         }
     };
@@ -209,7 +209,7 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     notes.iter().for_each(|note| say("note", note));
     let (checked, interrupted) = check_all(ready, basis)?;
     let result = match args.format {
-        TableFormat::Text => text::report(&checked, unit.unwrap_or_default()),
+        TableFormat::Text => text::report(&checked, units),
         TableFormat::Json => json::report(&checked, several)?,
         TableFormat::Csv | TableFormat::CsvComma => {
             csv_as(args.format, csv::report(&checked, several))

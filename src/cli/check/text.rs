@@ -13,7 +13,9 @@ use crate::show::{say, verdict};
 use crate::study::blocks::word;
 use crate::study::ensemble::{Run, weighted_mean};
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
-use crate::units::{LengthUnit, force_text, length_entry, length_text, significant, to_kj, to_kn};
+use crate::units::{
+    Units, energy_text, force_text, length_entry, length_text, significant, stiffness_text,
+};
 use crate::words::Choice;
 
 /// Widest line, columns.
@@ -24,7 +26,7 @@ const MARGIN: usize = 14;
 const LISTED: usize = 12;
 
 /// The reports of all layouts, an empty line between them.
-pub(crate) fn report(checked: &[Checked], unit: LengthUnit) -> String {
+pub(crate) fn report(checked: &[Checked], unit: Units) -> String {
     if checked.is_empty() {
         return "The project has no layouts.\n".to_string();
     }
@@ -34,7 +36,7 @@ pub(crate) fn report(checked: &[Checked], unit: LengthUnit) -> String {
 
 struct Page {
     lines: Vec<String>,
-    unit: LengthUnit,
+    unit: Units,
 }
 
 impl Page {
@@ -47,7 +49,7 @@ impl Page {
     }
 }
 
-fn one(c: &Checked, unit: LengthUnit) -> Vec<String> {
+fn one(c: &Checked, unit: Units) -> Vec<String> {
     let mut page = Page { lines: Vec::new(), unit };
     inputs(&mut page, c);
     judged(&mut page, c);
@@ -121,7 +123,7 @@ fn side_by_side(page: &mut Page, c: &Checked) {
     let forecast = c.forecast.values;
     row(
         "  forecast",
-        forecast.map_or_else(none, |v| force_text(v.force)),
+        forecast.map_or_else(none, |v| force_text(v.force, unit)),
         forecast.and_then(|v| v.deflection).map_or_else(none, length),
     );
     let (broken, counted) = (c.broken(), c.counted());
@@ -133,7 +135,7 @@ fn side_by_side(page: &mut Page, c: &Checked) {
     } else {
         row(
             head,
-            spread(force_text(e.force.mean), significant(to_kn(e.force.deviation), 2)),
+            spread(force_text(e.force.mean, unit), unit.force_number(e.force.deviation, 2)),
             spread(length(e.deflection.mean), length(e.deflection.deviation)),
         );
     }
@@ -154,24 +156,24 @@ fn side_by_side(page: &mut Page, c: &Checked) {
         );
     }
     if counted > 1 {
-        let [low, high] = e.force.band.map(|v| significant(to_kn(v), 3));
+        let [low, high] = e.force.band.map(|v| unit.force_number(v, 3));
         let [near, far] = e.deflection.band;
         row(
             "  band, 5 to 95 %",
-            format!("{low} to {high} kN"),
+            format!("{low} to {high} {}", unit.force_symbol()),
             format!("{} to {}", length(near), length(far)),
         );
     }
     if let Some(force) = c.characteristic() {
-        row("  characteristic, 5 %", force_text(force), String::new());
+        row("  characteristic, 5 %", force_text(force, unit), String::new());
     }
     if counted > 0 {
-        row("  peak, mean", force_text(e.peak[0]), length(e.peak[1]));
+        row("  peak, mean", force_text(e.peak[0], unit), length(e.peak[1]));
     }
     if let Some(former) = &c.former {
         page.line("kept check", say::former(former, c.mean_break(), unit));
     }
-    if let Some(text) = sentence(&c.catches()) {
+    if let Some(text) = sentence(&c.catches(), page.unit) {
         page.line("patterns", text);
     }
     if c.characteristic().is_some() {
@@ -191,12 +193,11 @@ fn blocks(page: &mut Page, c: &Checked) {
     };
     for other in &c.others {
         let e = &other.ensemble;
-        let [error, mean] = [e.force.error, e.force.mean].map(to_kn);
         text.push_str(&format!(
-            "; {} {} kN (standard error {}) at {}",
+            "; {} {} (standard error {}) at {}",
             word(other.arrangement),
-            significant(mean, 3),
-            significant(error, 2),
+            force_text(e.force.mean, page.unit),
+            page.unit.force_number(e.force.error, 2),
             length_text(e.deflection.mean, page.unit)
         ));
     }
@@ -210,12 +211,10 @@ fn blocks(page: &mut Page, c: &Checked) {
     page.line("blocks", text);
     if let Some(a) = c.anchor() {
         let [normal, in_plane, largest] =
-            [a.normal, a.in_plane, a.largest].map(|v| significant(to_kn(v), 3));
+            [a.normal, a.in_plane, a.largest].map(|v| force_text(v, page.unit));
         page.line(
             "worst anchor",
-            format!(
-                "{normal} kN out of the plane and {in_plane} kN in it, means; largest {largest} kN"
-            ),
+            format!("{normal} out of the plane and {in_plane} in it, means; largest {largest}"),
         );
         let carrying: Vec<usize> = c.carrying();
         if let (Arrangement::Single(_), Some(least), Some(most)) =
@@ -268,23 +267,22 @@ fn runs(page: &mut Page, c: &Checked) {
         page.lines.push(format!("and {left} more, see --format json"));
     }
     let stiffness = if c.ensemble.k75 > 0.0 {
-        format!("k75 {} kN/m (tangent at 75 % of F); ", significant(to_kn(c.ensemble.k75), 3))
+        format!("k75 {} (tangent at 75 % of F); ", stiffness_text(c.ensemble.k75, page.unit))
     } else {
         String::new()
     };
     let runs: Vec<&Run> = c.ensemble.runs.iter().collect();
     let energy = weighted_mean(&c.ensemble.sample, &runs, &|run| run.outcome.energy);
-    let text =
-        format!("{stiffness}{} kJ absorbed to the first break", significant(to_kj(energy), 3));
+    let text = format!("{stiffness}{} absorbed to the first break", energy_text(energy, page.unit));
     page.line("means", text);
 }
 
-fn run_line(k: usize, run: &Run, unit: LengthUnit) -> String {
+fn run_line(k: usize, run: &Run, unit: Units) -> String {
     let o = &run.outcome;
-    let kn = |v: f64| significant(to_kn(v), 3);
+    let kn = |v: f64| unit.force_number(v, 3);
     let first = o.first_break.map_or_else(
         || "none".to_string(),
-        |p| format!("{} kN {}", kn(p.force), length_text(p.deflection, unit)),
+        |p| format!("{} {}", force_text(p.force, unit), length_text(p.deflection, unit)),
     );
     let wire = o.breaks.first().map_or(String::new(), |b| {
         let word = kind(b.role).split('_').next_back().unwrap_or("");

@@ -7,7 +7,6 @@ use crate::show::comparison::over;
 use crate::show::effect::{deflection, number};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
-use crate::units::{significant, to_kn};
 
 /// The table of the checks with what to know of them; nothing where none were asked for.
 pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
@@ -20,10 +19,10 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
         "  {:<NAME$}{:>8}{:>6}{:>14}{:>9}{:>8}{:>9}{:>8}",
         "DEM", "F", "+-", "band", "over F_a", "delta", "over d_a", "use"
     ));
-    let u = unit.symbol();
+    let (u, kn) = (unit.symbol(), unit.force_symbol());
     page.lines.push(format!(
         "  {:<NAME$}{:>8}{:>6}{:>14}{:>9}{u:>8}{:>9}{:>8}",
-        "", "kN", "kN", "kN", "%", "%", "%"
+        "", kn, kn, kn, "%", "%", "%"
     ));
     for index in order {
         // As many answers as rows.
@@ -45,7 +44,7 @@ pub(crate) fn table(page: &mut Page, compared: &Compared, order: &[usize]) {
             "  {}{:>8}{:>6}{band:>14}{:>9}{:>8}{:>9}{:>8}",
             cut(&row.name, NAME),
             f.mean.map_or_else(|| "none".into(), |v| kn(v.force)),
-            f.error.map_or_else(none, |e| significant(to_kn(e.force), 2)),
+            f.error.map_or_else(none, |e| unit.force_number(e.force, 2)),
             over(f.difference.map(|d| d.force)),
             f.mean.map_or_else(none, |v| deflection(v.deflection, unit)),
             over(f.difference.and_then(|d| d.deflection)),

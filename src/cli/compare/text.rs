@@ -9,7 +9,7 @@ use crate::show::comparison::{self, width};
 use crate::show::verdict::short;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::verdict::Finding;
-use crate::units::LengthUnit;
+use crate::units::Units;
 
 /// Columns of the table behind the name.
 const COLUMNS: [Column; 10] = [
@@ -26,19 +26,20 @@ const COLUMNS: [Column; 10] = [
 ];
 
 /// The table with its notes.
-pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> String {
+pub(crate) fn report(compared: &Compared, order: &[usize], unit: Units) -> String {
     let c = &compared.comparison;
     if c.rows.is_empty() {
         return NO_LAYOUTS.to_string();
     }
     let mut page = Page::new(unit);
-    page.line(
-        "compare",
-        format!("{} layouts   [meshcast {VERSION}, inputs {}]", c.rows.len(), c.fingerprint()),
-    );
+    let count = match c.rows.len() {
+        1 => "1 layout".to_string(),
+        n => format!("{n} layouts"),
+    };
+    page.line("compare", format!("{}   [meshcast {VERSION}, inputs {}]", count, c.fingerprint()));
     meshes(&mut page, c);
     page.lines.push(String::new());
-    let head = |word: &str, part: fn(Column, LengthUnit) -> &'static str| {
+    let head = |word: &str, part: fn(Column, Units) -> &'static str| {
         let cell = |column: &Column| format!("{:>w$}", part(*column, unit), w = width(*column));
         let cells: String = COLUMNS.iter().map(cell).collect();
         format!("  {word:<NAME$}{cells}")
@@ -51,7 +52,7 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: LengthUnit) -> 
         page.lines.push(line(&c.rows[*index], governs, mark, unit));
     }
     page.lines.push(String::new());
-    let (name, why) = comparison::governing(c);
+    let (name, why) = comparison::governing(c, page.unit);
     let name = name.map_or(String::new(), |name| format!("{name}: "));
     page.line("> governing", name + &why);
     if let Some(remark) = c.mixed() {
@@ -87,7 +88,7 @@ fn meshes(page: &mut Page, c: &Comparison) {
     }
 }
 
-fn line(row: &CompareRow, governs: bool, found: char, unit: LengthUnit) -> String {
+fn line(row: &CompareRow, governs: bool, found: char, unit: Units) -> String {
     let cells: String = (COLUMNS.iter())
         .map(|column| {
             let text = match (column, row.values()) {

@@ -8,13 +8,13 @@ use crate::forecast::warning::Warning;
 use crate::remark::Weight;
 use crate::show::say;
 use crate::study::solve::{Crossing, Place, Requirement, RequirementKind, Solution};
-use crate::units::{LengthUnit, force_text};
+use crate::units::{Units, force_text};
 
 /// Behind a deflection at the design force.
 const AT_LOAD: &str = "at F";
 
 /// The reports of all layouts, an empty line between them.
-pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
+pub(crate) fn report(solved: &[Solved], unit: Units) -> String {
     if solved.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -22,7 +22,7 @@ pub(crate) fn report(solved: &[Solved], unit: LengthUnit) -> String {
     all.join("\n")
 }
 
-fn one(s: &Solved, unit: LengthUnit) -> String {
+fn one(s: &Solved, unit: Units) -> String {
     let mut page = Page::new(unit);
     page.inputs("design", s.name.as_deref(), s.case.question_fingerprint(), &s.case);
     if s.solutions.is_empty() {
@@ -63,7 +63,7 @@ fn asked(page: &mut Page, s: &Solved) {
     let q = s.case.asked();
     let mut words = Vec::new();
     if let Some(force) = q.force {
-        words.push(format!("carry {}", force_text(force)));
+        words.push(format!("carry {}", force_text(force, page.unit)));
     }
     if let Some(deflection) = q.deflection {
         let what = if q.force.is_some() { "at that force" } else { "at failure" };
@@ -99,12 +99,9 @@ fn sentences(page: &mut Page, s: &Solution) {
     }
 }
 
-/// A length at a tenth of a millimetre.
+/// A length at a tenth of a millimetre, or of what the unit shown has for a millimetre.
 fn length(page: &Page, metres: f64) -> String {
-    match page.unit {
-        LengthUnit::Metre => format!("{metres:.4} m"),
-        LengthUnit::Millimetre => format!("{:.1} mm", metres * 1000.0),
-    }
+    format!("{} {}", page.unit.length_with(metres, 1), page.unit.symbol())
 }
 
 fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {

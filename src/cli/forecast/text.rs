@@ -7,14 +7,13 @@ use crate::forecast::field::Branch;
 use crate::forecast::warning::Warning;
 use crate::forecast::{Field, Values};
 use crate::show::say;
-use crate::units::{LengthUnit, force_text, significant};
-use crate::units::{to_kj, to_kn};
+use crate::units::{Units, energy_text, force_text, stiffness_text};
 use crate::words::Choice;
 
 /// Most lines a layout.
 const HEIGHT: usize = 24;
 /// The reports of all layouts, an empty line between them.
-pub(crate) fn report(answered: &[Answered], unit: LengthUnit) -> String {
+pub(crate) fn report(answered: &[Answered], unit: Units) -> String {
     if answered.is_empty() {
         return "The project has no layouts.\n".to_string();
     }
@@ -22,7 +21,7 @@ pub(crate) fn report(answered: &[Answered], unit: LengthUnit) -> String {
     all.join("\n")
 }
 
-fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
+fn one(a: &Answered, unit: Units) -> Vec<String> {
     let mut page = Page::new(unit);
     page.inputs("forecast", a.name.as_deref(), a.case.fingerprint(), &a.case);
     laboratory(&mut page, a);
@@ -34,7 +33,7 @@ fn one(a: &Answered, unit: LengthUnit) -> Vec<String> {
                 Some(end) => curve(&mut page, &end),
                 None => page.line("curve", "none: the laboratory record has no deflection"),
             }
-            let (which, said) = say::anchors(&a.case.layout, field.values.force);
+            let (which, said) = say::anchors(&a.case.layout, field.values.force, page.unit);
             page.line(which, said);
             if let Some(answer) = &a.design {
                 page.design(answer, &a.case.asked());
@@ -54,7 +53,7 @@ fn laboratory(page: &mut Page, a: &Answered) {
     let (f, record) = (&a.forecast, &a.case.mesh.laboratory);
     let text = format!(
         "F_l* {}, delta_l* {}, {}; panel {}, punch {}",
-        force_text(f.laboratory.force),
+        force_text(f.laboratory.force, page.unit),
         page.maybe_length(f.laboratory.deflection),
         record.statistic.word(),
         page.entry(record.panel),
@@ -66,7 +65,7 @@ fn laboratory(page: &mut Page, a: &Answered) {
         f.ratios.force,
         f.ratios.deflection,
         if f.ratios.default { "" } else { " (the mesh's own)" },
-        force_text(f.reference.force),
+        force_text(f.reference.force, page.unit),
         page.maybe_length(f.reference.deflection)
     );
     page.line("ratios", text);
@@ -85,13 +84,13 @@ fn values(page: &mut Page, a: &Answered, field: &Field) {
     let ratios: Vec<_> = ratios.iter().flatten().map(|ratio| format!("{ratio:.3}")).collect();
     let text = format!(
         "F_a {}, delta_a {}{mark}; {} of the laboratory's",
-        force_text(field.values.force),
+        force_text(field.values.force, page.unit),
         page.maybe_length(field.values.deflection),
         ratios.join(" and ")
     );
     page.line("FIELD", text);
     if let Some(method) = field.method {
-        page.line("method", say::derived(method, field));
+        page.line("method", say::derived(method, field, page.unit));
         if let Some(published) = field.published {
             page.line("published", say::beside(published, field.values, page.unit));
         }
@@ -106,7 +105,7 @@ fn values(page: &mut Page, a: &Answered, field: &Field) {
     if let Some(other) = field.other_branch {
         text.push_str(&format!(
             "; the other gives {}, {}",
-            force_text(other.force),
+            force_text(other.force, page.unit),
             page.maybe_length(other.deflection)
         ));
     }
@@ -128,12 +127,11 @@ fn eccentricity(page: &mut Page, a: &Answered) {
 
 fn curve(page: &mut Page, values: &Values) {
     let end = values.deflection;
-    let stiffness = |newton_per_metre: f64| significant(to_kn(newton_per_metre), 3);
     let text = format!(
-        "at failure: tangent {}, secant {} kN/m; {} kJ absorbed",
-        stiffness(values.tangent_at(end)),
-        stiffness(values.secant_at(end)),
-        significant(to_kj(values.energy_to(end)), 3)
+        "at failure: tangent {}, secant {}; {} absorbed",
+        page.unit.stiffness_number(values.tangent_at(end)),
+        stiffness_text(values.secant_at(end), page.unit),
+        energy_text(values.energy_to(end), page.unit)
     );
     page.line("stiffness", text);
 }

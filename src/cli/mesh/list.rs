@@ -4,7 +4,7 @@ use super::show::object;
 use crate::cli::output::{CommandEnd, Format, json, result};
 use crate::mesh::catalogue;
 use crate::show::value::Value;
-use crate::units::{LengthUnit, force_text, maybe_length_text};
+use crate::units::{Units, force_text, maybe_length_text};
 use std::fmt::Write;
 
 /// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
@@ -41,8 +41,8 @@ pub(crate) fn run(format: Format) -> CommandEnd {
             "{:<id$}  {:<name$}  {:>8}  {:>8}  {:<4}  {}",
             mesh.id,
             mesh.title(),
-            force_text(lab.force),
-            maybe_length_text(lab.deflection, LengthUnit::Metre),
+            force_text(lab.force, Units::METRES),
+            maybe_length_text(lab.deflection, Units::METRES),
             lab.statistic.short(),
             remarks.join(", ")
         );

@@ -7,7 +7,7 @@ use crate::mesh::wire::{CurvePoint, Slack, WireData};
 use crate::mesh::{MeshType, catalogue};
 use crate::show::objects::pair;
 use crate::show::value::{Object, Value, exact};
-use crate::units::{LengthUnit, length_entry, shortest, to_kn};
+use crate::units::{Units, length_entry, shortest, to_kn};
 
 /// Everything of one mesh.
 pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
@@ -26,7 +26,7 @@ fn text(mesh: &MeshType) -> String {
     let mut line = |head: &str, text: &str| {
         lines.extend(wrapped(&format!("{head:<16}"), text, 80));
     };
-    let metres = |v: f64| format!("{} m", length_entry(v, LengthUnit::Metre));
+    let metres = |v: f64| format!("{} m", length_entry(v, Units::METRES));
     let lab = &mesh.laboratory;
     line("id", &mesh.id);
     line("name", mesh.title());
@@ -66,7 +66,7 @@ fn text(mesh: &MeshType) -> String {
 }
 
 fn wire_text(wire: &WireData, line: &mut impl FnMut(&str, &str)) {
-    let mm = |v: f64| format!("{} mm", length_entry(v, LengthUnit::Millimetre));
+    let mm = |v: f64| format!("{} mm", length_entry(v, Units::MILLIMETRES));
     let net = &wire.net;
     line(
         "net",

@@ -11,7 +11,7 @@ use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
 use crate::study::sensitivity::dem::{CheckedBar, CheckedSensitivity, CheckedStep};
-use crate::units::{force_text, significant, to_kn};
+use crate::units::force_text;
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 7;
@@ -25,11 +25,14 @@ pub(crate) fn base(page: &mut Page, s: &Studied, checked: &CheckedSensitivity) {
     let forecast = s.sensitivity.base.as_ref().ok().map(crate::case::CasePoint::values);
     let f = Figures::of(result, forecast, &s.case.asked());
     let Some(mean) = f.mean else { return page.line("CHECK", "no run broke a wire") };
-    let error = f
-        .error
-        .map_or(String::new(), |e| format!(" (standard error {})", significant(to_kn(e.force), 2)));
-    let mut text =
-        format!("F {}{error}, delta {}", force_text(mean.force), page.length(mean.deflection));
+    let error = f.error.map_or(String::new(), |e| {
+        format!(" (standard error {})", page.unit.force_number(e.force, 2))
+    });
+    let mut text = format!(
+        "F {}{error}, delta {}",
+        force_text(mean.force, page.unit),
+        page.length(mean.deflection)
+    );
     text.push_str(&say::used(f.utilisation));
     if let Some(d) = f.difference {
         let parts = [Some(d.force), d.deflection];

@@ -11,13 +11,13 @@ use crate::show::glyphs::Glyphs;
 use crate::show::{say, tornado};
 use crate::study::result::Wanted;
 use crate::study::sensitivity::{Effect, Sensitivity, step};
-use crate::units::LengthUnit;
+use crate::units::Units;
 
 /// Cells of a tornado on each side of its middle.
 const HALF: usize = 15;
 
 /// The reports of all layouts, an empty line between them.
-pub(crate) fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+pub(crate) fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: Units) -> String {
     if studied.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -25,7 +25,7 @@ pub(crate) fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: LengthU
     all.join("\n")
 }
 
-fn one(s: &Studied, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+fn one(s: &Studied, wanted: Option<&Wanted>, unit: Units) -> String {
     let mut page = Page::new(unit);
     page.inputs("sensitivity", s.name.as_deref(), s.case.fingerprint(), &s.case);
     match &s.sensitivity.base {

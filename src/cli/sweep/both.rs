@@ -8,7 +8,6 @@ use crate::show::strip::{StripMark, strip};
 use crate::study::checks::CheckAnswer;
 use crate::study::checks::figures::Figures;
 use crate::study::sweep::{dem, extent};
-use crate::units::{significant, to_kn};
 
 /// Columns of the forecast and of the check, without those of the utilisation.
 const FORECAST: usize = 16;
@@ -24,12 +23,13 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
     let Some((least, most)) = ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else {
         return page.line("field", "no value anywhere in the range");
     };
-    let kn = |v: f64| significant(to_kn(v), 3);
+    let kn = |v: f64| unit.force_number(v, 3);
     let asked = s.case.asked().force.is_some();
     let text = format!(
-        "F from {} to {} kN: F forecast, D mean of the DEM in its band ---, * both",
+        "F from {} to {} {}: F forecast, D mean of the DEM in its band ---, * both",
         kn(least),
-        kn(most)
+        kn(most),
+        unit.force_symbol()
     );
     page.line("plot", text);
     page.lines.push(String::new());
@@ -40,9 +40,10 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
     let (left, right) = (FORECAST + more + 2, CHECK + more);
     page.lines.push(format!("{:>10}{:^left$}{:^right$}", "", "FORECAST", "DEM").trim_end().into());
     let delta = format!("delta {symbol}");
+    let force = format!("F {}", unit.force_symbol());
     page.lines.push(format!(
         "{head:>10}{:>7}{delta:>9}{used}  {:>7}{:>6}{delta:>9}{used}",
-        "F kN", "F kN", "+-"
+        force, force, "+-"
     ));
     let width = WIDTH - 10 - left - right - 3;
     for ((at, outcome), answer) in s.sweep.grid.columns.iter().zip(points).zip(answers) {
@@ -62,7 +63,7 @@ pub(crate) fn line_plot(page: &mut Page, s: &Swept, answers: &[CheckAnswer]) {
         let ours = match (figures, answer) {
             (Some(f), _) => match f.mean {
                 Some(v) => {
-                    let error = f.error.map_or("-".into(), |e| significant(to_kn(e.force), 2));
+                    let error = f.error.map_or("-".into(), |e| unit.force_number(e.force, 2));
                     let used =
                         f.utilisation.map_or(String::new(), |u| format!("{:>USE$}", percent(u)));
                     let reached = deflection(v.deflection, unit);

@@ -21,7 +21,7 @@ use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
 use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
 use crate::study::verdict::Basis;
-use crate::units::{LengthUnit, Quantity, parse};
+use crate::units::{Quantity, Units, parse};
 use clap::Args;
 
 /// F, delta and utilisation over a range of one input, or over a grid of two.
@@ -95,7 +95,7 @@ impl Ranges {
             } else {
                 (Quantity::Length, "a length in metres or with a unit such as 250mm")
             };
-            parse(text, quantity, LengthUnit::Metre).map_err(|e| {
+            parse(text, quantity, Units::METRES).map_err(|e| {
                 Fault::input(
                     Problem::new(flag, e.to_string())
                         .value(format!("{text:?}"))

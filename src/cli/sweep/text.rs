@@ -9,10 +9,10 @@ use crate::show::strip::{StripMark, strip};
 use crate::study::result::Wanted;
 use crate::study::sweep::{SweepAxis, extent};
 use crate::study::verdict::{Simulated, verdict};
-use crate::units::{LengthUnit, force_text, shortest, significant, to_kn};
+use crate::units::{Units, force_text, shortest};
 
 /// The reports of all layouts, an empty line between them.
-pub(crate) fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+pub(crate) fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: Units) -> String {
     if swept.is_empty() {
         return NO_LAYOUTS.to_string();
     }
@@ -20,7 +20,7 @@ pub(crate) fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: LengthUnit)
     all.join("\n")
 }
 
-fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
+fn one(s: &Swept, wanted: Option<&Wanted>, unit: Units) -> String {
     let mut page = Page::new(unit);
     let grid = &s.sweep.grid;
     page.inputs("sweep", s.name.as_deref(), grid.fingerprint(&s.case), &s.case);
@@ -33,7 +33,7 @@ fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
             "design",
             format!(
                 "{}, gamma_load {}, gamma_resistance {}",
-                force_text(force),
+                force_text(force, unit),
                 shortest(q.gamma_load),
                 shortest(q.gamma_resistance)
             ),
@@ -56,7 +56,7 @@ fn one(s: &Swept, wanted: Option<&Wanted>, unit: LengthUnit) -> String {
     page.text()
 }
 
-fn range(axis: &SweepAxis, unit: LengthUnit) -> String {
+fn range(axis: &SweepAxis, unit: Units) -> String {
     format!(
         "{} from {} to {} {} in {} values",
         axis.input.symbol(),
@@ -75,13 +75,14 @@ fn line_plot(page: &mut Page, s: &Swept) {
         page.line("field", "no value anywhere in the range");
         return;
     };
-    let kn = |v: f64| significant(to_kn(v), 3);
+    let kn = |v: f64| unit.force_number(v, 3);
     page.line(
         "plot",
         format!(
-            "F from {} to {} kN{}, left to right{}",
+            "F from {} to {} {}{}, left to right{}",
             kn(forces.0),
             kn(forces.1),
+            unit.force_symbol(),
             deflections.map_or(String::new(), |(least, most)| format!(
                 ", x delta_a from {} to {} {}, * both",
                 deflection(least, unit),
@@ -96,7 +97,8 @@ fn line_plot(page: &mut Page, s: &Swept) {
     let used = if asked { format!("{:>7}{:>9}", "use %", "at F") } else { String::new() };
     let head = format!("{} {}", input.symbol(), input_unit(input, unit));
     let delta = format!("delta {}", unit.symbol());
-    let front = format!("{head:>11}{:>8}{delta:>10}{used}    ", "F_a kN");
+    let front =
+        format!("{head:>11}{:>8}{delta:>10}{used}    ", format!("F_a {}", unit.force_symbol()));
     let width = WIDTH - front.len() - 2;
     page.lines.push(front.trim_end().to_string());
     for (at, outcome) in s.sweep.grid.columns.iter().zip(points) {

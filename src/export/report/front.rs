@@ -10,7 +10,7 @@ use crate::show::{say, verdict};
 use crate::study::compare::mixed;
 use crate::study::verdict::Finding;
 use crate::units::{
-    LengthUnit, force_text, length_entry, maybe_length_text, shortest, significant, to_kn,
+    ForceUnit, Units, force_entry, force_text, length_entry, maybe_length_text, shortest,
 };
 use crate::words::Choice;
 use sha2::{Digest, Sha256};
@@ -63,8 +63,9 @@ pub(crate) fn verdicts(report: &Report<'_>, document: &mut ReportDocument) {
         words.0.push(TextSpan::Plain(format!(" ({})", unit.symbol())));
         head.push(words);
     }
+    let load = format!("load ({})", unit.force_symbol());
     let rest = [
-        "load (kN)",
+        load.as_str(),
         "{gamma_F}",
         "{gamma_R}",
         "allowed {delta}",
@@ -82,7 +83,7 @@ pub(crate) fn verdicts(report: &Report<'_>, document: &mut ReportDocument) {
     ));
 }
 
-fn verdict_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
+fn verdict_row(case: &ExportedLayout, unit: Units) -> Vec<Words> {
     let v = &case.verdict;
     let asked = case.case.asked();
     let mut row = vec![Words::from(case.entry.name.clone())];
@@ -90,7 +91,7 @@ fn verdict_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
     row.push(length_entry(layout.plate, unit).into());
     row.push(say::spacings(layout, unit).into());
     row.push(length_entry(layout.punch, unit).into());
-    let load = asked.force.map(|force| significant(to_kn(force), 3));
+    let load = asked.force.map(|force| unit.force_number(force, 3));
     row.push(load.unwrap_or("-".into()).into());
     row.push(shortest(asked.gamma_load).into());
     row.push(shortest(asked.gamma_resistance).into());
@@ -157,13 +158,13 @@ pub(crate) fn results(report: &Report<'_>, document: &mut ReportDocument) {
     document.blocks.push(Block::Pictures(pictures));
 }
 
-fn result_row(case: &ExportedLayout, unit: LengthUnit) -> Vec<Words> {
+fn result_row(case: &ExportedLayout, unit: Units) -> Vec<Words> {
     let forecast = &case.forecast();
     let nothing = || Words::from("-");
     let part = |value: Option<f64>| value.map_or_else(nothing, |v| format!("{v:.3}").into());
     let (force, deflection) = match &forecast.field {
         Ok(field) => (
-            strong(force_text(field.values.force)),
+            strong(force_text(field.values.force, unit)),
             strong(maybe_length_text(field.values.deflection, unit)),
         ),
         Err(_) => ("no value".into(), nothing()),
@@ -213,7 +214,7 @@ pub(crate) fn inputs(report: &Report<'_>, document: &mut ReportDocument) {
         let length = |v: f64| format!("{} {sign}", length_entry(v, unit));
         row.push(code(e.mesh.clone()));
         row.push(e.branch.word().into());
-        row.push(e.question.force.map_or("-".into(), entered_force).into());
+        row.push(e.question.force.map_or("-".into(), |force| entered_force(force, unit)).into());
         row.push(shortest(e.question.gamma_load).into());
         row.push(e.question.deflection.map_or("-".into(), length).into());
         row.push(shortest(e.question.gamma_resistance).into());
@@ -224,8 +225,12 @@ pub(crate) fn inputs(report: &Report<'_>, document: &mut ReportDocument) {
 }
 
 /// A force as it was entered.
-pub(crate) fn entered_force(newton: f64) -> String {
-    format!("{} kN", shortest(crate::units::to_kn(newton)))
+pub(crate) fn entered_force(newton: f64, unit: Units) -> String {
+    let exact = match unit.force {
+        ForceUnit::Kilonewton => shortest(unit.force(newton)),
+        _ => force_entry(newton, unit),
+    };
+    format!("{exact} {}", unit.force_symbol())
 }
 
 /// The meshes that the layouts use, each once.
@@ -243,7 +248,7 @@ pub(crate) fn meshes(report: &Report<'_>, document: &mut ReportDocument) {
     }
 }
 
-fn mesh(mesh: &MeshType, case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+fn mesh(mesh: &MeshType, case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     let lab = &mesh.laboratory;
     let length = |v: f64| format!("{} {}", length_entry(v, unit), unit.symbol());
     let mut rows = vec![
@@ -252,7 +257,7 @@ fn mesh(mesh: &MeshType, case: &ExportedLayout, unit: LengthUnit, document: &mut
             "Punch test".into(),
             format!(
                 "{} at {}, {} values",
-                entered_force(lab.force),
+                entered_force(lab.force, unit),
                 lab.deflection.map_or("a deflection that is not stated".into(), length),
                 lab.statistic.word()
             )

@@ -11,8 +11,9 @@ use crate::mesh::STANDARD_PANEL;
 use crate::show::say;
 use crate::show::verdict;
 use crate::study::verdict::Finding;
-use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest, significant};
-use crate::units::{to_kj, to_kn};
+use crate::units::{
+    Units, energy_text, force_text, length_entry, length_text, shortest, significant,
+};
 use crate::words::Choice;
 
 /// Writes the section of a layout.
@@ -36,7 +37,7 @@ pub(crate) fn layout(
         if let Some(end) = field.end() {
             points(&end, unit, document);
         }
-        anchors(&case.case.layout, field, document);
+        anchors(&case.case.layout, field, unit, document);
     }
     design(case, unit, document);
     if let Some(check) = check {
@@ -57,7 +58,7 @@ pub(crate) fn layout(
 }
 
 /// Chart, where there is a line to draw, and plan.
-fn pictures(name: &str, series: Series<'_>, unit: LengthUnit, document: &mut ReportDocument) {
+fn pictures(name: &str, series: Series<'_>, unit: Units, document: &mut ReportDocument) {
     let caption = format!("{name}: force over deflection");
     let lines = (!series.bare()).then(|| Picture {
         svg: chart(&[series], &caption, unit),
@@ -91,7 +92,7 @@ fn heading<'a>(index: usize, case: &'a ExportedLayout, document: &mut ReportDocu
 }
 
 /// Whether it is enough: each check, what to know beside it, and what would mend it.
-fn judged(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+fn judged(case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     let v = &case.verdict;
     if v.finding() == Finding::NotAsked {
         return;
@@ -117,20 +118,17 @@ fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
 }
 
 /// The value at each step of the method.
-fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+fn steps(case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     let forecast = &case.forecast();
     let mut rows = Vec::new();
     let four = |v: f64| significant(v, 4);
-    let length = |v: f64| match unit {
-        LengthUnit::Metre => format!("{v:.4} m"),
-        LengthUnit::Millimetre => format!("{:.1} mm", v * 1000.0),
-    };
+    let length = |v: f64| format!("{} {}", unit.length_with(v, 1), unit.symbol());
     let mut row = |words: Words, force: String, deflection: String| {
         rows.push(vec![words, force.into(), deflection.into()]);
     };
     let pair = |v: Strength| {
         let delta = v.deflection.map_or("-".into(), length);
-        (format!("{} kN", four(to_kn(v.force))), delta)
+        (format!("{} {}", unit.force_number(v.force, 4), unit.force_symbol()), delta)
     };
     let lab = &case.case.mesh.laboratory;
     if lab.panel != STANDARD_PANEL {
@@ -203,35 +201,42 @@ fn steps(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument)
 }
 
 /// A few points of the curve.
-fn points(end: &Values, unit: LengthUnit, document: &mut ReportDocument) {
-    let three = |v: f64| Words::from(significant(v, 3));
+fn points(end: &Values, unit: Units, document: &mut ReportDocument) {
     let rows = [25, 50, 75, 90, 100].map(|percent| {
         let delta = end.deflection * f64::from(percent) / 100.0;
         vec![
             Words::from(format!("{percent} %")),
             length_text(delta, unit).into(),
-            force_text(end.force_at(delta)).into(),
-            three(to_kn(end.tangent_at(delta))),
-            three(to_kn(end.secant_at(delta))),
-            three(to_kj(end.energy_to(delta))),
+            force_text(end.force_at(delta), unit).into(),
+            unit.stiffness_number(end.tangent_at(delta)).into(),
+            unit.stiffness_number(end.secant_at(delta)).into(),
+            unit.energy_number(end.energy_to(delta)).into(),
         ]
     });
-    let head = ["of {delta_a}", "{delta}", "{F}", "tangent (kN/m)", "secant (kN/m)", "energy (kJ)"];
+    let stiffness = unit.stiffness_symbol();
+    let head = [
+        "of {delta_a}".to_string(),
+        "{delta}".to_string(),
+        "{F}".to_string(),
+        format!("tangent ({stiffness})"),
+        format!("secant ({stiffness})"),
+        format!("energy ({})", unit.energy_symbol()),
+    ];
     document.blocks.push(Block::Table {
-        head: head.map(ours).to_vec(),
+        head: head.iter().map(|words| ours(words)).collect(),
         rows: rows.to_vec(),
         numbers: true,
     });
 }
 
 /// What each anchor carries.
-fn anchors(layout: &Layout, field: &Field, document: &mut ReportDocument) {
-    let (which, said) = say::anchors(layout, field.values.force);
+fn anchors(layout: &Layout, field: &Field, unit: Units, document: &mut ReportDocument) {
+    let (which, said) = say::anchors(layout, field.values.force, unit);
     document.say(&format!("What the panel can ask of a bolt: {which} {said}."));
 }
 
 /// The answers to the design questions, with the factors that act.
-fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument) {
+fn design(case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     let question = &case.case.asked();
     let Some(answer) = &case.design() else {
         if question.force.is_some() || question.deflection.is_some() {
@@ -241,17 +246,17 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
     };
     let mut items = vec![ours(&format!(
         "Resistance {{F_a}} / {{gamma_R}} = {} with {{gamma_R}} = {}.",
-        force_text(answer.resistance),
+        force_text(answer.resistance, unit),
         shortest(question.gamma_resistance)
     ))];
     if let (Some(at), Some(force)) = (&answer.at_force, question.force) {
         items.push(ours(&format!(
             "Design force {} with {{gamma_F}} = {}: load {}, utilisation {} %, margin {}.",
-            entered_force(force),
+            entered_force(force, unit),
             shortest(question.gamma_load),
-            force_text(at.load),
+            force_text(at.load, unit),
             significant(at.utilisation * 100.0, 3),
-            force_text(at.margin)
+            force_text(at.margin, unit)
         )));
         items.push(match at.deflection {
             Some(reached) => {
@@ -267,12 +272,12 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
     if let (Some(at), Some(deflection)) = (&answer.at_deflection, question.deflection) {
         let fails = if at.beyond_failure { " The panel fails before it is reached." } else { "" };
         items.push(ours(&format!(
-            "At the allowable deflection of {} {}: {} mobilised, {} with {{gamma_R}}, {} kJ absorbed.{fails}",
+            "At the allowable deflection of {} {}: {} mobilised, {} with {{gamma_R}}, {} absorbed.{fails}",
             length_entry(deflection, unit),
             unit.symbol(),
-            force_text(at.force),
-            force_text(at.design_force),
-            significant(to_kj(at.energy), 3)
+            force_text(at.force, unit),
+            force_text(at.design_force, unit),
+            energy_text(at.energy, unit)
         )));
     }
     document.quote(strong("Design"));
@@ -280,7 +285,7 @@ fn design(case: &ExportedLayout, unit: LengthUnit, document: &mut ReportDocument
 }
 
 /// The check beside the forecast.
-fn checked(case: &ExportedLayout, check: &Check, unit: LengthUnit, document: &mut ReportDocument) {
+fn checked(case: &ExportedLayout, check: &Check, unit: Units, document: &mut ReportDocument) {
     document.quote(strong(sentence(&check.title())));
     let mut items = Vec::new();
     if let Some(end) = check.mean.failure {
@@ -295,7 +300,8 @@ fn checked(case: &ExportedLayout, check: &Check, unit: LengthUnit, document: &mu
                 })
             )
         });
-        let at = format!("{} at {}", force_text(end.force), length_text(end.deflection, unit));
+        let at =
+            format!("{} at {}", force_text(end.force, unit), length_text(end.deflection, unit));
         items.push(Words::from(format!("First break {at}{difference}.")));
     }
     items.extend(check.notes.iter().map(|note| Words::from(sentence(note))));

@@ -13,7 +13,7 @@ mod method;
 
 use super::{Check, ExportedLayout};
 use crate::project::Project;
-use crate::units::LengthUnit;
+use crate::units::Units;
 use document::{Block, ReportDocument};
 
 /// Where a project comes from.
@@ -39,7 +39,7 @@ pub struct Report<'a> {
     /// Where the project comes from.
     pub source: ReportSource<'a>,
     /// The unit of lengths.
-    pub unit: LengthUnit,
+    pub unit: Units,
     /// Whether it is the short form: the first page, then one page a layout.
     pub short: bool,
 }

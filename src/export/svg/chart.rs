@@ -8,7 +8,7 @@ use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
 use crate::forecast::{Field, Strength, Values, rescaled};
-use crate::units::{LengthUnit, force_text, length_entry, length_text, shortest};
+use crate::units::{Units, force_text, length_entry, length_text, shortest};
 
 /// A layout in a chart, with its check if there is one.
 #[derive(Debug, Clone, Copy)]
@@ -44,7 +44,7 @@ const HEIGHT: f64 = 400.0;
 
 /// Draws the chart: one layout with laboratory test, design values and the other branch where it is
 /// flagged, or the forecasts of several with their checks. Lengths are shown in `unit`.
-pub fn chart(series: &[Series<'_>], title: &str, unit: LengthUnit) -> String {
+pub fn chart(series: &[Series<'_>], title: &str, unit: Units) -> String {
     let mut content = Content::default();
     match series {
         [one] => single(&mut content, one, unit),
@@ -121,7 +121,7 @@ impl Content {
         self.levels.push(Level { value, force, stroke, words, entry });
     }
 
-    fn check(&mut self, check: &Check, stroke: Stroke, tag: &str, unit: LengthUnit) {
+    fn check(&mut self, check: &Check, stroke: Stroke, tag: &str, unit: Units) {
         if let Some(band) = &check.band {
             let edge = |forces: &[f64]| -> Vec<Point> {
                 let pairs = band.deflection.iter().zip(forces);
@@ -132,7 +132,11 @@ impl Content {
             self.bands.push(around);
         }
         let at_break = check.mean.failure.map_or(String::new(), |p| {
-            format!(": first break at {}, {}", force_text(p.force), length_text(p.deflection, unit))
+            format!(
+                ": first break at {}, {}",
+                force_text(p.force, unit),
+                length_text(p.deflection, unit)
+            )
         });
         let band = if check.band.is_some() { "; shaded: its band" } else { "" };
         let breaks = if check.breaks.is_empty() { "" } else { "; small x: first break of a run" };
@@ -183,7 +187,7 @@ impl Content {
         most
     }
 
-    fn draw(&self, title: &str, unit: LengthUnit) -> String {
+    fn draw(&self, title: &str, unit: Units) -> String {
         let mut drawing = Drawing::new(WIDTH);
         let mut top = 24.0;
         for line in legend::wrapped(title, WIDTH - 24.0) {
@@ -302,12 +306,12 @@ fn clamped((x, y): (f64, f64), frame: &Frame) -> (f64, f64) {
     (x.clamp(frame.left, frame.right), y.clamp(frame.top, frame.bottom))
 }
 
-fn at_failure(values: Values, unit: LengthUnit) -> String {
-    format!("{} at {}", force_text(values.force), length_text(values.deflection, unit))
+fn at_failure(values: Values, unit: Units) -> String {
+    format!("{} at {}", force_text(values.force, unit), length_text(values.deflection, unit))
 }
 
 /// One layout and everything that belongs to it.
-fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
+fn single(content: &mut Content, series: &Series<'_>, unit: Units) {
     let case = series.case;
     let forecast = &case.forecast();
     match &forecast.field {
@@ -355,12 +359,12 @@ fn single(content: &mut Content, series: &Series<'_>, unit: LengthUnit) {
 /// What stands in a chart instead of a curve.
 const STRENGTH_ONLY: &str = "no curve: the laboratory record has no deflection";
 
-fn pair(values: Strength, unit: LengthUnit) -> String {
+fn pair(values: Strength, unit: Units) -> String {
     let delta = values.deflection.map(|delta| format!(", {}", length_text(delta, unit)));
-    force_text(values.force) + &delta.unwrap_or_default()
+    force_text(values.force, unit) + &delta.unwrap_or_default()
 }
 
-fn laboratory_words(laboratory: Values, unit: LengthUnit) -> String {
+fn laboratory_words(laboratory: Values, unit: Units) -> String {
     format!(
         "laboratory test, standard panel: {} (only its end point was published; the shape is that of Eq. 3)",
         at_failure(laboratory, unit)
@@ -368,15 +372,19 @@ fn laboratory_words(laboratory: Values, unit: LengthUnit) -> String {
 }
 
 /// Design force, allowable deflection, and with a factor on it the resistance.
-fn design(content: &mut Content, case: &ExportedLayout, unit: LengthUnit) {
+fn design(content: &mut Content, case: &ExportedLayout, unit: Units) {
     let question = &case.case.asked();
     if let Some(force) = question.force {
         let load = force * question.gamma_load;
         let words = if question.gamma_load == 1.0 {
-            format!("design force {}", force_text(load))
+            format!("design force {}", force_text(load, unit))
         } else {
             let factor = shortest(question.gamma_load);
-            format!("design force {} x {factor} = {}", force_text(force), force_text(load))
+            format!(
+                "design force {} x {factor} = {}",
+                force_text(force, unit),
+                force_text(load, unit)
+            )
         };
         content.level(true, load, marks::DESIGN, words);
         if let Some(design) = &case.design()
@@ -385,7 +393,7 @@ fn design(content: &mut Content, case: &ExportedLayout, unit: LengthUnit) {
             let words = format!(
                 "design resistance, failure force / {} = {}",
                 shortest(question.gamma_resistance),
-                force_text(design.resistance)
+                force_text(design.resistance, unit)
             );
             content.level(true, design.resistance, marks::RESISTANCE, words);
         }
@@ -398,7 +406,7 @@ fn design(content: &mut Content, case: &ExportedLayout, unit: LengthUnit) {
 }
 
 /// The forecasts of several layouts, told apart by dashes, sign and number.
-fn several(content: &mut Content, all: &[Series<'_>], unit: LengthUnit) {
+fn several(content: &mut Content, all: &[Series<'_>], unit: Units) {
     for (index, series) in all.iter().enumerate() {
         let (stroke, mark) = marks::nth(index);
         let tag = (index + 1).to_string();

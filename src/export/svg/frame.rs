@@ -3,7 +3,7 @@
 use super::drawing::{Anchor, Drawing, Frame, Stroke};
 use crate::axis::Axis;
 use crate::curve::Point;
-use crate::units::{LengthUnit, from_kn, to_kn};
+use crate::units::Units;
 
 /// Size of the numbers at the axes.
 const TICK_TEXT: f64 = 13.0;
@@ -15,21 +15,16 @@ pub(crate) struct ChartPlane {
     pub(crate) frame: Frame,
     x: Axis,
     y: Axis,
-    unit: LengthUnit,
+    unit: Units,
 }
 
 impl ChartPlane {
     /// A plane that holds a deflection (m) and a force (N).
-    pub(crate) fn holding(
-        frame: Frame,
-        deflection: f64,
-        force: f64,
-        unit: LengthUnit,
-    ) -> ChartPlane {
+    pub(crate) fn holding(frame: Frame, deflection: f64, force: f64, unit: Units) -> ChartPlane {
         ChartPlane {
             frame,
             x: Axis::holding(deflection * unit.per_metre() * 1.02, 10),
-            y: Axis::holding(to_kn(force) * 1.02, 8),
+            y: Axis::holding(unit.force(force) * 1.02, 8),
             unit,
         }
     }
@@ -41,7 +36,7 @@ impl ChartPlane {
 
     /// Force at the upper edge, N.
     pub(crate) fn largest_force(&self) -> f64 {
-        from_kn(self.y.end())
+        self.unit.newtons(self.y.end())
     }
 
     /// Where a point is in the picture.
@@ -76,6 +71,10 @@ impl ChartPlane {
         let name = format!("deflection \u{3b4} ({})", self.unit.symbol());
         drawing.text((middle, f.bottom + 42.0), Anchor::Middle, 14.0, &name);
         let middle = (f.top + f.bottom) / 2.0;
-        drawing.upright((f.left - 48.0, middle), 14.0, "force F (kN)");
+        drawing.upright(
+            (f.left - 48.0, middle),
+            14.0,
+            &format!("force F ({})", self.unit.force_symbol()),
+        );
     }
 }

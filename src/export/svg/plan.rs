@@ -3,7 +3,7 @@
 use super::drawing::{Anchor, Drawing, Frame, Stroke, TEXT, text_width};
 use crate::export::ExportedLayout;
 use crate::layout::{Blocks, Layout};
-use crate::units::{LengthUnit, length_entry};
+use crate::units::{Units, length_entry};
 use crate::words::Choice;
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ const WINDOW: Frame = Frame { left: 24.0, top: 44.0, right: 344.0, bottom: 364.0
 
 /// Draws the plan of a layout's cell. x runs to the right, y up the slope. What lies beyond the cell are the
 /// blocks and anchors of its neighbours. Lengths are written in `unit`.
-pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
+pub fn plan(case: &ExportedLayout, unit: Units) -> String {
     let layout = &case.forecast().layout;
     let title = format!("{}: the cell from above", case.entry.name);
     let mut drawing = Drawing::new(WIDTH);
@@ -61,7 +61,7 @@ pub fn plan(case: &ExportedLayout, unit: LengthUnit) -> String {
     drawing.finish(y + 2.0, &title, &format!("{spacing}, {}", lines.join(", ")))
 }
 
-fn length(metres: f64, unit: LengthUnit) -> String {
+fn length(metres: f64, unit: Units) -> String {
     format!("{} {}", length_entry(metres, unit), unit.symbol())
 }
 

@@ -149,12 +149,16 @@ pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> O
         fields.change("basis", FieldChange::Set(new.basis.word().to_string()));
     }
     if base.display != new.display {
-        let symbol = new.display.length_unit.symbol();
-        let whole = format!("(length_unit: {symbol})");
+        let units = new.display.units;
+        let whole = format!("({})", write::display(units));
         match root.field("display").map(|e| e.value.unwrapped()) {
             Some(node) if as_struct(node).is_some_and(|g| !g.entries.is_empty()) => {
                 let mut display = Fields::new(source, as_struct(node)?, DISPLAY_FIELDS);
-                display.change("length_unit", FieldChange::Set(symbol.to_string()));
+                let set = |symbol: &str| FieldChange::Set(symbol.to_string());
+                display.change("length_unit", set(units.length.symbol()));
+                if base.display.units.force != units.force {
+                    display.change("force_unit", set(units.force.symbol()));
+                }
                 fields.add(display.finish()?);
             }
             _ => fields.change("display", FieldChange::Set(whole)),

@@ -4,7 +4,7 @@ use super::rounded;
 use crate::dem::RunOutcome;
 use crate::study::ensemble::{Ensemble, Run, counts};
 use crate::study::sampling::{Kind, Pattern};
-use crate::units::{from_kn, significant, to_kn};
+use crate::units::{Units, from_kn, significant, to_kn};
 use std::collections::BTreeMap;
 
 /// The patterns of caught nodes and the points of the distribution; both missing in results of older
@@ -32,22 +32,22 @@ pub(crate) struct Catch {
 
 impl Catch {
     /// In words: `32 nodes on 80 % (26.1 to 29.3 kN)`.
-    pub(crate) fn words(&self) -> String {
+    pub(crate) fn words(&self, unit: Units) -> String {
         let nodes = significant(self.nodes, 3);
         let nodes = nodes.strip_suffix(".0").unwrap_or(&nodes);
         let part = significant(100.0 * self.part, 2);
-        let kn = |v: f64| significant(to_kn(v), 3);
+        let kn = |v: f64| unit.force_number(v, 3);
         let force = self.force.map(|[low, high]| match kn(low) == kn(high) {
-            true => format!(" ({} kN)", kn(low)),
-            false => format!(" ({} to {} kN)", kn(low), kn(high)),
+            true => format!(" ({} {})", kn(low), unit.force_symbol()),
+            false => format!(" ({} to {} {})", kn(low), kn(high), unit.force_symbol()),
         });
         format!("{nodes} nodes on {part} %{}", force.unwrap_or_default())
     }
 }
 
 /// Catches as a sentence without a final stop; nothing of none.
-pub(crate) fn sentence(catches: &[Catch]) -> Option<String> {
-    let words: Vec<String> = catches.iter().map(Catch::words).collect();
+pub(crate) fn sentence(catches: &[Catch], unit: Units) -> Option<String> {
+    let words: Vec<String> = catches.iter().map(|c| c.words(unit)).collect();
     (!words.is_empty()).then(|| format!("a plate catches {} of the slope", words.join(", ")))
 }
 

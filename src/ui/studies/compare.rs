@@ -18,7 +18,7 @@ use crate::show::plot::{self, Plot};
 use crate::study::compare::{Column, CompareRow};
 use crate::study::sensitivity::Effect;
 use crate::study::verdict::Finding;
-use crate::units::{LengthUnit, percent, to_kn};
+use crate::units::{Units, percent};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
@@ -50,7 +50,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) -> Op
     let place = table(app, view, table_area, buf, theme);
     let lower = below(rest, table_area.height);
     if lower.height > plot::SMALLEST.1 as u16 {
-        let words = format!("F (kN) over delta ({})", app.units().symbol());
+        let words = super::super::chart::axes_words(app.units());
         heading(buf, lower, &words, &legend(view), theme);
         curves(app, view, below(lower, 1), buf, theme);
     }
@@ -62,11 +62,11 @@ fn way(falling: bool) -> &'static str {
 }
 
 /// Word and unit of a column.
-fn title(head: ColumnHead, unit: LengthUnit) -> (&'static str, &'static str) {
+fn title(head: ColumnHead, unit: Units) -> (&'static str, &'static str) {
     let m = unit.symbol();
     match head {
         ColumnHead::Of(column) => comparison::head(column, unit),
-        ColumnHead::DemForce => ("DEM F", "kN"),
+        ColumnHead::DemForce => ("DEM F", unit.force_symbol()),
         ColumnHead::DemOverForce => ("/F_a", "%"),
         ColumnHead::DemDeflection => ("DEM d", m),
         ColumnHead::DemOverDeflection => ("/d_a", "%"),
@@ -84,7 +84,7 @@ fn columns_of(head: ColumnHead) -> u16 {
 }
 
 /// What stands in a cell.
-fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: LengthUnit) -> String {
+fn cell(view: &CompareView, row: usize, head: ColumnHead, unit: Units) -> String {
     let Some(r) = view.comparison.rows.get(row) else { return String::new() };
     let none = || "-".to_string();
     let checked = view.checked.get(row).and_then(|c| c.as_ref());
@@ -197,7 +197,14 @@ fn table(
     let room = usize::from(area.width.saturating_sub(width(&more) + 1));
     let mixed =
         if view.comparison.mixed().is_some() { "! mean beside characteristic; " } else { "" };
-    put(buf, foot, 0, 1, &cut(&format!("{mixed}{}", governing(view, room)), room), theme.title);
+    put(
+        buf,
+        foot,
+        0,
+        1,
+        &cut(&format!("{mixed}{}", governing(view, app.units(), room)), room),
+        theme.title,
+    );
     put_right(buf, foot, 0, &more, theme.heading);
     place
 }
@@ -214,7 +221,7 @@ fn name_columns(view: &CompareView, heads: &[ColumnHead], all: u16) -> u16 {
 }
 
 /// Which layout governs, by what, and how many fail, in so many columns; of all that the name is cut.
-fn governing(view: &CompareView, columns: usize) -> String {
+fn governing(view: &CompareView, units: Units, columns: usize) -> String {
     let c = &view.comparison;
     let left = match view.unknown {
         0 => String::new(),
@@ -227,7 +234,7 @@ fn governing(view: &CompareView, columns: usize) -> String {
         0 => String::new(),
         n => format!("; {n} of {} fail", c.rows.len()),
     };
-    let (name, why) = comparison::governing(c);
+    let (name, why) = comparison::governing(c, units);
     let colon = if name.is_some() { " " } else { ": " };
     let rest = format!("{why}{fail}{stale}{left}");
     let word = if columns < usize::from(NARROW) { "" } else { "governing" };
@@ -260,7 +267,7 @@ fn legend(view: &CompareView) -> String {
 }
 
 fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let per_metre = app.units().per_metre();
+    let units = app.units();
     let rows = drawn(app, view);
     let values: Vec<_> = rows
         .iter()
@@ -272,8 +279,8 @@ fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &T
     if values.is_empty() {
         return;
     }
-    let x = (0.0, largest(|v| v.deflection) * per_metre);
-    let y = (0.0, to_kn(largest(|v| v.force)));
+    let x = (0.0, largest(|v| v.deflection) * units.per_metre());
+    let y = (0.0, units.force(largest(|v| v.force)));
     let Some(mut plot) = Plot::holding(size(area), x, y, theme.glyphs) else { return };
     let mut grid = plot.grid();
     let marked = |row: usize| view.layouts.get(row) == Some(&app.comparison_marked());
@@ -287,14 +294,15 @@ fn curves(app: &App, view: &CompareView, area: Rect, buf: &mut Buffer, theme: &T
             DotPen { ink: Ink::Overlay, pattern, ascii: Some(ascii) }
         };
         let curve = rescaled(*v, POINTS);
-        let points = curve.points().map(|p| (p.deflection * per_metre, to_kn(p.force)));
+        let points =
+            curve.points().map(|p| (p.deflection * units.per_metre(), units.force(p.force)));
         plot.curve(points, pen, &mut grid);
     }
     plot.put(&grid);
     for (row, v) in &values {
         let ink = if marked(*row) { Ink::Forecast } else { Ink::Overlay };
         let letter = view.letter(*row).unwrap_or('?');
-        plot.mark(v.deflection * per_metre, to_kn(v.force), letter, ink);
+        plot.mark(v.deflection * units.per_metre(), units.force(v.force), letter, ink);
     }
     text::draw(&plot.picture, area, buf, theme);
 }

@@ -13,8 +13,7 @@ use crate::show::{say, verdict};
 use crate::study::checks::figures::Figures;
 use crate::study::solve::{Requirement, RequirementKind as At, Solution};
 use crate::units::{
-    LengthUnit, force_text, length_entry, length_text, maybe_length_text, percent, shortest,
-    significant, to_kn,
+    Units, force_text, length_entry, length_text, maybe_length_text, percent, shortest,
 };
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
@@ -119,8 +118,8 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
     let force = match q.force {
         Some(force) => format!(
             "Fd {} x gL {on_load} = {}",
-            force_text(force),
-            force_text(force * q.gamma_load)
+            force_text(force, unit),
+            force_text(force * q.gamma_load, unit)
         ),
         None => format!("Fd -, gL {on_load}"),
     };
@@ -140,21 +139,21 @@ fn question(app: &App, view: &DesignView, theme: &Theme) -> Vec<(String, Style)>
     let a = &point.answer;
     let resistance = format!(
         "forecast F_a {} / gR {on_resistance} = {}, delta_a {}",
-        force_text(v.force),
-        force_text(a.resistance),
+        force_text(v.force, unit),
+        force_text(a.resistance, unit),
         maybe_length_text(v.deflection, unit)
     );
     lines.push((resistance, theme.forecast));
     let mut words = Vec::new();
     if let Some(at) = &a.at_force {
-        words.push(format!("margin {}", force_text(at.margin)));
+        words.push(format!("margin {}", force_text(at.margin, unit)));
         if let Some(reached) = at.service_deflection {
             words.push(format!("{} at Fd", m(reached)));
         }
     }
     if let Some(at) = &a.at_deflection {
         let fails = if at.beyond_failure { " (fails before)" } else { "" };
-        words.push(format!("{} at dm{fails}", force_text(at.force)));
+        words.push(format!("{} at dm{fails}", force_text(at.force, unit)));
     }
     if !words.is_empty() {
         lines.push((format!("answer   {}", words.join(", ")), theme.text));
@@ -203,7 +202,7 @@ fn solved(
 }
 
 /// The value that a line offers.
-fn offer(line: &DesignLine, unit: LengthUnit) -> String {
+fn offer(line: &DesignLine, unit: Units) -> String {
     match &line.kind {
         DesignKind::Take { crossing, value, .. } => {
             let side = match (crossing.advised, crossing.met_above) {
@@ -223,7 +222,7 @@ fn gives(
     line: &DesignLine,
     solution: Option<&Solution>,
     view: &DesignView,
-    unit: LengthUnit,
+    unit: Units,
     theme: &Theme,
 ) -> (String, Style) {
     let now = format!("now {}", input_value(line.input, line.input.value(&view.case), unit));
@@ -266,27 +265,27 @@ fn gives(
     }
 }
 
-fn dem(f: &Figures, unit: LengthUnit) -> String {
+fn dem(f: &Figures, unit: Units) -> String {
     let Some(mean) = f.mean else { return "no break".into() };
     let used = say::used(f.utilisation);
-    let force = significant(to_kn(mean.force), 3);
-    format!("F {force} kN, {}{used}", length_text(mean.deflection, unit))
+    let force = force_text(mean.force, unit);
+    format!("F {force}, {}{used}", length_text(mean.deflection, unit))
 }
 
-fn at(input: Input, value: f64, outcome: &CaseValue, unit: LengthUnit) -> String {
+fn at(input: Input, value: f64, outcome: &CaseValue, unit: Units) -> String {
     format!("at {} {}", input_value(input, value, unit), short(outcome, unit))
 }
 
 /// Force and use, or why there are none.
-fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
+fn short(outcome: &CaseValue, unit: Units) -> String {
     match outcome {
         Ok(p) => match p.answer.at_force {
             Some(at) => {
-                format!("{}, use {} %", force_text(p.values().force), percent(at.utilisation))
+                format!("{}, use {} %", force_text(p.values().force, unit), percent(at.utilisation))
             }
             None => format!(
                 "{}, delta_a {}",
-                force_text(p.values().force),
+                force_text(p.values().force, unit),
                 maybe_length_text(p.values().deflection, unit)
             ),
         },
@@ -294,7 +293,7 @@ fn short(outcome: &CaseValue, unit: LengthUnit) -> String {
     }
 }
 
-fn outcome_text(outcome: &CaseValue, unit: LengthUnit) -> String {
+fn outcome_text(outcome: &CaseValue, unit: Units) -> String {
     match outcome {
         Ok(p) => say::point_at_load(p, unit, "at Fd"),
         Err(_) => short(outcome, unit),

@@ -95,7 +95,7 @@ fn top(app: &App, view: &SensitivityView, theme: &Theme) -> Vec<(String, Style)>
             let used = utilisation(&view.case.asked(), result.force.mean);
             let used = say::used(used);
             let (force, delta) = (result.force.mean, result.deflection.mean);
-            format!("DEM      F   {}, delta   {}{used}", force_text(force), m(delta))
+            format!("DEM      F   {}, delta   {}{used}", force_text(force, app.units()), m(delta))
         }
         Ok(_) => "DEM      no run broke a wire".to_string(),
         Err(NoCheck::NotMade) if view.coverage.stale => {

@@ -7,7 +7,7 @@ use super::{map, nothing, plan, size, value};
 use crate::app::App;
 use crate::app::entry::Slot;
 use crate::app::studies::sweep::SweepView;
-use crate::case::{Input, input_unit, input_value};
+use crate::case::{self, Input, input_unit, input_value};
 use crate::show::effect;
 use crate::show::grid::{DotPen, Pattern};
 use crate::show::picture::Ink;
@@ -15,7 +15,7 @@ use crate::show::plot::Plot;
 use crate::show::{say, verdict};
 use crate::study::checks::figures::Figures;
 use crate::study::sensitivity::Effect;
-use crate::units::{LengthUnit, percent, significant, to_kn};
+use crate::units::{Units, percent};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
@@ -123,7 +123,7 @@ fn head(
 fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let (unit, shown) = (app.units(), view.shown);
     let Some(range) = view.axes.first() else { return };
-    let across = |v: f64| if range.input.is_force() { to_kn(v) } else { v * unit.per_metre() };
+    let across = |v: f64| case::shown(range.input, v, unit);
     let up = |v: f64| effect::in_unit(v, shown, unit);
     let forecast: Vec<(f64, f64)> = view
         .line
@@ -199,7 +199,7 @@ fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme
 }
 
 /// A point of the sweep in words.
-fn place(view: &SweepView, unit: LengthUnit) -> String {
+fn place(view: &SweepView, unit: Units) -> String {
     let Some(grid) = &view.grid else { return String::new() };
     let (first, second) = grid.at(view.marked);
     let text = |input: Input, v: f64| {
@@ -278,8 +278,8 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
     };
     let words = [input.symbol(), "F_a", "delta", "use", "at F", "DEM F", "/F_a"].map(String::from);
     write(buf, 0, words, theme.heading);
-    let m = unit.symbol();
-    let units = [input_unit(input, unit), "kN", m, "%", m, "kN", "%"].map(String::from);
+    let (m, kn) = (unit.symbol(), unit.force_symbol());
+    let units = [input_unit(input, unit), kn, m, "%", m, kn, "%"].map(String::from);
     write(buf, 1, units, theme.heading);
     let rows = usize::from(area.height.saturating_sub(2));
     let first = super::super::layouts::first_shown(view.marked, rows, view.points.len());
@@ -287,7 +287,7 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
         let none = || "-".to_string();
         let (force, delta, used, service) = match &view.points[index] {
             Ok(p) => (
-                significant(to_kn(p.values().force), 3),
+                unit.force_number(p.values().force, 3),
                 effect::maybe_deflection(p.values().deflection, unit),
                 p.utilisation().map_or_else(none, percent),
                 p.service_deflection().map_or_else(none, |v| effect::deflection(v, unit)),
@@ -295,7 +295,7 @@ fn table(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Them
             Err(why) => (String::new(), why.short().to_string(), String::new(), String::new()),
         };
         let f = view.figures.get(index).and_then(|f| f.as_ref());
-        let dem = f.and_then(|f| f.mean).map_or_else(none, |v| significant(to_kn(v.force), 3));
+        let dem = f.and_then(|f| f.mean).map_or_else(none, |v| unit.force_number(v.force, 3));
         let over =
             f.and_then(|f| f.difference).map_or_else(none, |d| format!("{:+.1}", 100.0 * d.force));
         let at = input_value(input, grid.at(index).0, unit);

@@ -2,14 +2,14 @@
 
 use super::{DEEPEST, Parser, Step, SyntaxError};
 use crate::project::text::{Entry, NodeKind, line_column};
-use crate::units::{self, LengthUnit, Quantity};
+use crate::units::{self, Quantity, Units};
 
 impl Parser<'_> {
     /// A unit without quotes, or no number at all.
     pub(super) fn not_a_number(&self, start: usize, shown: &str) -> SyntaxError {
         let quantity = [Quantity::Length, Quantity::Force]
             .into_iter()
-            .any(|q| units::parse(shown, q, LengthUnit::Metre).is_ok());
+            .any(|q| units::parse(shown, q, Units::METRES).is_ok());
         let error = self.error(start, "this is no number").with_value(shown);
         if quantity {
             self.error(start, "a value with a unit stands in quotes")
