@@ -44,9 +44,24 @@ pub(crate) enum TableFormat {
     CsvComma,
 }
 
-/// A table in the form asked for.
-pub(crate) fn csv_as(format: TableFormat, csv: String) -> String {
-    if format == TableFormat::CsvComma { with_decimal_comma(&csv) } else { csv }
+impl TableFormat {
+    /// A result in this form.
+    ///
+    /// # Errors
+    /// Why there is no JSON of it.
+    pub(crate) fn write(
+        self,
+        text: impl FnOnce() -> String,
+        json: impl FnOnce() -> Result<String, Fault>,
+        csv: impl FnOnce() -> String,
+    ) -> Result<String, Fault> {
+        match self {
+            TableFormat::Text => Ok(text()),
+            TableFormat::Json => json(),
+            TableFormat::Csv => Ok(csv()),
+            TableFormat::CsvComma => Ok(with_decimal_comma(&csv())),
+        }
+    }
 }
 
 /// What a subcommand has to say when it went well.

@@ -174,6 +174,14 @@ pub(crate) fn cut(name: &str, columns: usize) -> String {
 /// What a result says where there is no layout.
 pub(crate) const NO_LAYOUTS: &str = "The project has no layouts.\n";
 
+/// The pages of all layouts, an empty line between them.
+pub(crate) fn pages<T>(all: &[T], one: impl Fn(&T) -> String) -> String {
+    if all.is_empty() {
+        return NO_LAYOUTS.to_string();
+    }
+    all.iter().map(one).collect::<Vec<_>>().join("\n")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -16,7 +16,7 @@ pub(super) use flags::{runs, threads};
 
 use super::case::{Inputs, NamedCase};
 use super::opening::load_project;
-use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, say};
+use super::output::{CommandEnd, Fault, Output, say};
 use super::watch::Watch;
 use super::wire::Wires;
 use super::{UiFlags, VERSION};
@@ -208,13 +208,11 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     }
     notes.iter().for_each(|note| say("note", note));
     let (checked, interrupted) = check_all(ready, basis)?;
-    let result = match args.format {
-        TableFormat::Text => text::report(&checked, units),
-        TableFormat::Json => json::report(&checked, several)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            csv_as(args.format, csv::report(&checked, several))
-        }
-    };
+    let result = args.format.write(
+        || text::report(&checked, units),
+        || json::report(&checked, several),
+        || csv::report(&checked, several),
+    )?;
     // A check of which no run came to an end is no answer.
     let failed = !interrupted && checked.iter().any(|c| c.counted() == 0);
     let verdict =

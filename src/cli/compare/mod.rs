@@ -12,7 +12,7 @@ use super::UiFlags;
 use super::case::{Inputs, NamedCase};
 use super::choice::one_of;
 use super::dem::{DemFlags, Job};
-use super::output::{CommandEnd, Output, TableFormat, csv_as};
+use super::output::{CommandEnd, Output, TableFormat};
 use super::verdict::VerdictFlags;
 use crate::remark::Weight;
 use crate::study::checks::CheckAnswer;
@@ -94,13 +94,11 @@ pub(crate) fn run(args: &CompareArgs, ui: &UiFlags) -> CommandEnd {
         None => (0..comparison.rows.len()).collect(),
     };
     let compared = Compared { comparison, checked };
-    let result = match args.format {
-        TableFormat::Text => text::report(&compared, &order, loaded.unit),
-        TableFormat::Json => json::report(&compared, &order)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            csv_as(args.format, csv::report(&compared, &order))
-        }
-    };
+    let result = args.format.write(
+        || text::report(&compared, &order, loaded.unit),
+        || json::report(&compared, &order),
+        || csv::report(&compared, &order),
+    )?;
     let verdict = args.verdict.code(compared.comparison.rows.iter().map(|row| &row.verdict));
     Ok(Output { result, verdict, interrupted, ..Output::default() })
 }

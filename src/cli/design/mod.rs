@@ -10,7 +10,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::choice::one_of;
-use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as};
+use super::output::{CommandEnd, Fault, Output, TableFormat};
 use super::verdict::VerdictFlags;
 use crate::case::{self, Case, Input};
 use crate::study::solve::{Crossing, Requirement, Solution, solve};
@@ -80,13 +80,11 @@ pub(crate) fn run(args: &DesignArgs, ui: &UiFlags) -> CommandEnd {
             "there is nothing to design for; give --force or --deflection, or put a design_force or an allowable_deflection in the project",
         ));
     }
-    let result = match args.format {
-        TableFormat::Text => text::report(&solved, loaded.unit),
-        TableFormat::Json => json::report(&solved, loaded.several)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            csv_as(args.format, csv::report(&solved, loaded.several))
-        }
-    };
+    let result = args.format.write(
+        || text::report(&solved, loaded.unit),
+        || json::report(&solved, loaded.several),
+        || csv::report(&solved, loaded.several),
+    )?;
     let verdict = args.verdict.code(solved.iter().map(|s| &s.verdict));
     Ok(Output { result, verdict, ..Output::default() })
 }

@@ -2,7 +2,7 @@
 
 use super::Solved;
 use crate::case::{CaseValue, NoValue};
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page, percent};
+use crate::cli::page::{BASIS, Page, pages, percent};
 use crate::forecast::NoField;
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
@@ -15,11 +15,7 @@ const AT_LOAD: &str = "at F";
 
 /// The reports of all layouts, an empty line between them.
 pub(crate) fn report(solved: &[Solved], unit: Units) -> String {
-    if solved.is_empty() {
-        return NO_LAYOUTS.to_string();
-    }
-    let all: Vec<String> = solved.iter().map(|s| one(s, unit)).collect();
-    all.join("\n")
+    pages(solved, |s| one(s, unit))
 }
 
 fn one(s: &Solved, unit: Units) -> String {

@@ -2,21 +2,18 @@
 //! takes it; several layouts share one table with the layout's name in front.
 
 use super::Answered;
-use crate::cli::output::Output;
 use crate::export::csv::curves;
 use crate::forecast::CURVE_POINTS;
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
 
-/// The table, with a note for every layout that has no curve.
-pub(crate) fn report(answered: &[Answered], several: bool) -> Output {
+/// The table, and a note for every layout that has no curve.
+pub(crate) fn report(answered: &[Answered], several: bool) -> (String, Vec<String>) {
     let with_curve = answered.iter().filter_map(|a| {
         let name = a.name.as_deref().unwrap_or_default();
         Some((name, a.forecast.field.ok()?.end()?.curve(CURVE_POINTS)))
     });
-    let result = curves(with_curve, several);
-    let notes = answered.iter().filter_map(no_curve).collect();
-    Output { result, notes, ..Output::default() }
+    (curves(with_curve, several), answered.iter().filter_map(no_curve).collect())
 }
 
 /// Why a layout has no curve, if it has none.

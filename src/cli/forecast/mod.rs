@@ -8,7 +8,7 @@ mod text;
 
 use super::UiFlags;
 use super::case::{NamedCase, Source};
-use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as, result};
+use super::output::{CommandEnd, Fault, Output, TableFormat};
 use super::page::BASIS;
 use super::verdict::VerdictFlags;
 use crate::case::{Case, Derived};
@@ -47,16 +47,18 @@ pub(crate) fn run(args: &ForecastArgs, ui: &UiFlags) -> CommandEnd {
     let basis = args.verdict.basis(loaded.basis);
     let answered = loaded.cases.into_iter().map(|case| answered(case, basis));
     let answered = answered.collect::<Result<Vec<_>, _>>()?;
-    let output = match args.format {
-        TableFormat::Text => result(text::report(&answered, loaded.unit))?,
-        TableFormat::Json => result(json::report(&answered, loaded.several)?)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            let output = csv::report(&answered, loaded.several);
-            Output { result: csv_as(args.format, output.result), ..output }
-        }
-    };
+    let mut notes = Vec::new();
+    let result = args.format.write(
+        || text::report(&answered, loaded.unit),
+        || json::report(&answered, loaded.several),
+        || {
+            let table;
+            (table, notes) = csv::report(&answered, loaded.several);
+            table
+        },
+    )?;
     let verdict = args.verdict.code(answered.iter().map(|a| &a.verdict));
-    Ok(Output { verdict, ..output })
+    Ok(Output { result, notes, verdict, ..Output::default() })
 }
 
 fn answered(NamedCase { name, case, check }: NamedCase, basis: Basis) -> Result<Answered, Fault> {

@@ -11,7 +11,7 @@ mod text;
 use super::UiFlags;
 use super::case::Source;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{CommandEnd, Output, TableFormat, csv_as};
+use super::output::{CommandEnd, Output, TableFormat};
 use super::verdict::BasisFlag;
 use crate::case::{Case, Input};
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
@@ -82,13 +82,11 @@ pub(crate) fn run(args: &SensitivityArgs, ui: &UiFlags) -> CommandEnd {
         interrupted = done.interrupted;
         put(&mut studied, done);
     }
-    let result = match args.format {
-        TableFormat::Text => text::report(&studied, wanted.as_ref(), loaded.unit),
-        TableFormat::Json => json::report(&studied, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            csv_as(args.format, csv::report(&studied, wanted.is_some(), loaded.several))
-        }
-    };
+    let result = args.format.write(
+        || text::report(&studied, wanted.as_ref(), loaded.unit),
+        || json::report(&studied, wanted.as_ref(), loaded.several),
+        || csv::report(&studied, wanted.is_some(), loaded.several),
+    )?;
     Ok(Output { result, interrupted, ..Output::default() })
 }
 

@@ -4,7 +4,7 @@
 use super::{Studied, both};
 use crate::case::Input;
 use crate::cli::dem::text as dem;
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page};
+use crate::cli::page::{BASIS, Page, pages};
 use crate::remark::Weight;
 use crate::show::effect::{self, EffectScale};
 use crate::show::glyphs::Glyphs;
@@ -18,11 +18,7 @@ const HALF: usize = 15;
 
 /// The reports of all layouts, an empty line between them.
 pub(crate) fn report(studied: &[Studied], wanted: Option<&Wanted>, unit: Units) -> String {
-    if studied.is_empty() {
-        return NO_LAYOUTS.to_string();
-    }
-    let all: Vec<String> = studied.iter().map(|s| one(s, wanted, unit)).collect();
-    all.join("\n")
+    pages(studied, |s| one(s, wanted, unit))
 }
 
 fn one(s: &Studied, wanted: Option<&Wanted>, unit: Units) -> String {

@@ -14,7 +14,7 @@ use super::UiFlags;
 use super::case::Source;
 use super::choice::one_of;
 use super::dem::{DemFlags, Done, Job};
-use super::output::{CommandEnd, Fault, Output, TableFormat, csv_as};
+use super::output::{CommandEnd, Fault, Output, TableFormat};
 use super::verdict::BasisFlag;
 use crate::case::{Case, Input};
 use crate::problem::Problem;
@@ -167,13 +167,11 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
         interrupted = done.interrupted;
         put(&mut swept, &grid, done);
     }
-    let result = match args.format {
-        TableFormat::Text => text::report(&swept, wanted.as_ref(), loaded.unit),
-        TableFormat::Json => json::report(&swept, wanted.as_ref(), loaded.several)?,
-        TableFormat::Csv | TableFormat::CsvComma => {
-            csv_as(args.format, csv::report(&swept, &grid, wanted.is_some(), loaded.several))
-        }
-    };
+    let result = args.format.write(
+        || text::report(&swept, wanted.as_ref(), loaded.unit),
+        || json::report(&swept, wanted.as_ref(), loaded.several),
+        || csv::report(&swept, &grid, wanted.is_some(), loaded.several),
+    )?;
     Ok(Output { result, interrupted, ..Output::default() })
 }
 

@@ -3,7 +3,7 @@
 use super::{Swept, both, map, point};
 use crate::case::CaseValue;
 use crate::cli::dem::text as dem;
-use crate::cli::page::{BASIS, NO_LAYOUTS, Page, WIDTH, input_unit, input_value, percent};
+use crate::cli::page::{BASIS, Page, WIDTH, input_unit, input_value, pages, percent};
 use crate::show::effect::{deflection, maybe_deflection};
 use crate::show::strip::{StripMark, strip};
 use crate::study::result::Wanted;
@@ -13,11 +13,7 @@ use crate::units::{Units, force_text, shortest};
 
 /// The reports of all layouts, an empty line between them.
 pub(crate) fn report(swept: &[Swept], wanted: Option<&Wanted>, unit: Units) -> String {
-    if swept.is_empty() {
-        return NO_LAYOUTS.to_string();
-    }
-    let all: Vec<String> = swept.iter().map(|s| one(s, wanted, unit)).collect();
-    all.join("\n")
+    pages(swept, |s| one(s, wanted, unit))
 }
 
 fn one(s: &Swept, wanted: Option<&Wanted>, unit: Units) -> String {
