@@ -49,6 +49,8 @@ pub(crate) enum Typed {
     Design(Input),
     /// A part of a range: of the first input (0) or the second (1), and which.
     Range(usize, Slot),
+    /// How far an input may be off.
+    Off,
 }
 
 impl Typed {
@@ -57,6 +59,7 @@ impl Typed {
         match self {
             Typed::Design(_) => StudyPage::Design,
             Typed::Range(..) => StudyPage::Sweep,
+            Typed::Off => StudyPage::Tolerance,
         }
     }
 
@@ -68,6 +71,7 @@ impl Typed {
             Typed::Range(_, Slot::From) => "from",
             Typed::Range(_, Slot::To) => "to",
             Typed::Range(_, Slot::Steps) => "number of values",
+            Typed::Off => "off by",
         }
     }
 }

@@ -71,6 +71,7 @@ use studies::compare::{ColumnHead, CompareView};
 use studies::design::DesignView;
 use studies::sensitivity::SensitivityView;
 use studies::sweep::SweepView;
+use studies::tolerance::ToleranceView;
 use work::campaign::RunningCampaign;
 use work::shown::ShownCheck;
 use work::steps::RunningSteps;
@@ -392,6 +393,11 @@ impl App {
     /// The design page.
     pub fn design(&self) -> Option<&DesignView> {
         self.studies.design().view()
+    }
+
+    /// The tolerance of one input.
+    pub fn tolerance(&self) -> Option<&ToleranceView> {
+        self.studies.tolerance().view()
     }
 
     /// The comparison.

@@ -36,6 +36,7 @@ pub(crate) mod report;
 pub(crate) mod sensitivity;
 pub(crate) mod source;
 pub(crate) mod sweep;
+pub(crate) mod tolerance;
 mod verdict;
 pub(crate) mod watch;
 pub(crate) mod wire;
@@ -96,6 +97,7 @@ enum Command {
     Sensitivity(Box<sensitivity::SensitivityArgs>),
     Sweep(Box<sweep::SweepArgs>),
     Compare(Box<compare::CompareArgs>),
+    Tolerance(Box<tolerance::ToleranceArgs>),
     Design(Box<design::DesignArgs>),
     Export(export::ExportArgs),
     Report(report::ReportArgs),
@@ -160,6 +162,7 @@ fn headless(command: Command, project: Option<&Path>, ui: &UiFlags) -> CommandEn
         Command::Sensitivity(args) => sensitivity::run(&args, ui),
         Command::Sweep(args) => sweep::run(&args, ui),
         Command::Compare(args) => compare::run(&args, ui),
+        Command::Tolerance(args) => tolerance::run(&args, ui),
         Command::Design(args) => design::run(&args, ui),
         Command::Export(args) => export::run(&args, ui),
         Command::Report(args) => report::run(&args, ui),

@@ -26,6 +26,7 @@ pub(crate) mod plot;
 pub(crate) mod say;
 pub(crate) mod strip;
 pub(crate) mod table;
+pub(crate) mod tolerance;
 pub(crate) mod tornado;
 pub(crate) mod value;
 pub(crate) mod verdict;

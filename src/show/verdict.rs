@@ -69,6 +69,11 @@ pub(crate) const COLUMNS: [NamedColumn<Verdict>; 3] = [
     ("use", |v| v.largest_use().into()),
 ];
 
+/// Whether it is not enough.
+pub(crate) fn fails(v: &Verdict) -> bool {
+    v.finding() == Finding::Fails
+}
+
 /// The governing use in per cent for a narrow column, without its sign.
 pub(crate) fn usage(v: &Verdict) -> String {
     match v.governing() {

@@ -37,4 +37,5 @@ pub(crate) mod sampling;
 pub mod sensitivity;
 pub mod solve;
 pub mod sweep;
+pub(crate) mod tolerance;
 pub mod verdict;

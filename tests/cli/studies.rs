@@ -311,3 +311,35 @@ fn a_project_without_layouts_has_empty_studies() {
     assert!(json(&["compare", shown(&path)])["governing"].is_null());
     assert!(good(&["compare", shown(&path)]).contains("no layouts"));
 }
+
+#[test]
+fn a_tolerance_has_the_ends_and_the_worst_in_between_in_every_form() {
+    // By hand: F_a = 29.1 x (1.5 d + 0.45) kN of the reference panel, 27.063 kN with d = 0.32 m.
+    let plate = ["tolerance", "--vary", "d", "--off", "32mm", "--force", "13.5315"];
+    let v = json(&plate);
+    let words: Vec<&str> =
+        v["places"].as_array().unwrap().iter().map(|p| p["place"].as_str().unwrap()).collect();
+    assert_eq!(words, ["low", "planned", "high", "worst"]);
+    is(&v, "/off", 0.032);
+    is(&v, "/places/0/d_m", 0.288);
+    is(&v, "/places/0/F_kN", 27.063 - 29.1 * 0.048);
+    is(&v, "/places/2/change_F_kN", 29.1 * 0.048);
+    is(&v, "/places/1/utilisation", 0.5);
+    is(&v, "/places/3/d_m", 0.288);
+    assert_eq!(v["places"][3]["verdict"], "PASSES");
+
+    let (header, rows) = table(&good(&[&plate[..], &["--format", "csv"]].concat()));
+    let keys: Vec<&String> = v["places"][0].as_object().unwrap().keys().collect();
+    assert_eq!(header.iter().collect::<Vec<_>>(), keys, "one table of columns");
+    assert_eq!((rows.len(), rows[3][0].as_str()), (4, "worst"));
+
+    let text = good(&plate);
+    assert!(text.contains("d 0.32 m, by up to 0.032 m either way"), "{text}");
+    assert!(text.contains("-5.2 %") && text.contains("PASSES: force"), "{text}");
+    // An eccentric block that may run onto a plate has no value there, and that is the worst.
+    let edge = good(&["tolerance", "--vary", "ex", "--off", "0.15", "--ex", "0.79", "--ey", "1.5"]);
+    assert!(edge.contains("worst") && edge.contains("on plate"), "{edge}");
+    for (off, word) in [("0", "above 0"), ("-1", "--off"), ("3kN", "--off")] {
+        assert!(refused(&["tolerance", "--vary", "d", "--off", off]).contains(word), "{off}");
+    }
+}

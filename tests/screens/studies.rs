@@ -55,6 +55,7 @@ fn a_page_opens_closes_and_keeps_its_place_under_the_help() {
         ("w", "sweep of"),
         ("v", "compare: in the project"),
         ("g", "design of"),
+        ("S", "tolerance of"),
     ] {
         let mut app = app((80, 24));
         let main = text(&app);
@@ -419,6 +420,22 @@ fn screens_of_studies() {
     }
 }
 
+#[test]
+fn a_tolerance_is_of_the_chosen_input_and_as_typed() {
+    let mut app = app((80, 24));
+    press(&mut app, "S");
+    assert!(text(&app).contains("tolerance of") && text(&app).contains("[d]"), "{}", text(&app));
+    press(&mut app, "<Right><Right>");
+    assert!(text(&app).contains("[D]"), "{}", text(&app));
+    press(&mut app, "0.02<Enter>");
+    assert!(text(&app).contains("by up to 0.02 m either way"), "{}", text(&app));
+    // What is no tolerance is said and changes nothing; each input keeps its own.
+    press(&mut app, "0<Enter>");
+    assert!(said(&app).contains("above 0") || text(&app).contains("above 0"), "{}", text(&app));
+    press(&mut app, "<Esc><Left><Right>");
+    assert!(text(&app).contains("by up to 0.02 m either way"), "{}", text(&app));
+}
+
 /// The pages by forecast alone, for layouts that are not small.
 #[test]
 fn screens_of_studies_without_checks() {
@@ -428,6 +445,7 @@ fn screens_of_studies_without_checks() {
         ("sweep", "w"),
         ("map", "w2"),
         ("design", "g25<Enter>D0.5<Enter>"),
+        ("tolerance", "S<Right>0.4<Enter>"),
     ] {
         let mut app = start(road_cut(), (80, 24), COLOR);
         press(&mut app, script);

@@ -92,6 +92,8 @@ pub enum StudyPage {
     Compare,
     /// What just meets the design values.
     Design,
+    /// One input off by so much.
+    Tolerance,
 }
 
 impl StudyPage {
@@ -102,6 +104,7 @@ impl StudyPage {
             StudyPage::Sweep => "sweep",
             StudyPage::Compare => "compare",
             StudyPage::Design => "design",
+            StudyPage::Tolerance => "tolerance",
         }
     }
 
@@ -112,6 +115,7 @@ impl StudyPage {
             StudyPage::Sweep => Context::Sweep,
             StudyPage::Compare => Context::Compare,
             StudyPage::Design => Context::Design,
+            StudyPage::Tolerance => Context::Tolerance,
         }
     }
 }

@@ -39,11 +39,13 @@ pub enum Context {
     Compare,
     /// What just meets the design values.
     Design,
+    /// One input off by so much.
+    Tolerance,
 }
 
 impl Context {
     /// All screens, in the order of the help.
-    pub(crate) const ALL: [Context; 18] = [
+    pub(crate) const ALL: [Context; 19] = [
         Context::Main,
         Context::Empty,
         Context::Pager,
@@ -62,12 +64,13 @@ impl Context {
         Context::Sweep,
         Context::Compare,
         Context::Design,
+        Context::Tolerance,
     ];
 
     /// Whether it is a page of a study.
     pub(crate) fn is_study(self) -> bool {
         use Context as C;
-        matches!(self, C::Sensitivity | C::Sweep | C::Compare | C::Design)
+        matches!(self, C::Sensitivity | C::Sweep | C::Compare | C::Design | C::Tolerance)
     }
 
     /// Heading in the help.
@@ -91,6 +94,7 @@ impl Context {
             Context::Sweep => "Sweep",
             Context::Compare => "Compare",
             Context::Design => "Design",
+            Context::Tolerance => "Tolerance",
         }
     }
 }

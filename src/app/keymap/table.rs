@@ -9,7 +9,7 @@ use super::action::Ask::{
     Adopt, AllowableDeflection, DesignForce, Layer, LoadFactor, MarkNext, MarkPrevious, NextColumn,
     NextValue, PreviousColumn, ResistanceFactor, Reverse, SecondInput, SortNext, SortPrevious, Two,
 };
-use super::action::StudyPage::{self, Compare, Design, Sensitivity, Sweep};
+use super::action::StudyPage::{self, Compare, Design, Sensitivity, Sweep, Tolerance};
 use super::action::{Action as A, Ask};
 use super::{Binding, Context};
 use crate::case::Input;
@@ -71,6 +71,7 @@ pub(super) const fn own(context: Context) -> &'static [Binding] {
         Context::Tour => TOUR,
         Context::Export => EXPORT,
         Context::Sensitivity => SENSITIVITY,
+        Context::Tolerance => TOLERANCE,
         Context::Sweep => SWEEP,
         Context::Compare => COMPARE,
         Context::Design => DESIGN,
@@ -134,6 +135,7 @@ const MAIN: &[Binding] = &[
     k(open(Sweep),       &[c('w')],                       "sweep",       "sweep: one input over a range as a chart, or two as a map"),
     k(open(Compare),     &[c('v')],                       "compare",     "compare: all layouts in a table that can be sorted, with their curves"),
     k(open(Design),      &[c('g')],                       "design",      "design: which d, L or D just meets the design values"),
+    k(open(Tolerance),   &[c('S')],                       "",            "tolerance: what the answer is where one input is off by so much"),
 ];
 
 /// The main screen of a project without layouts: what needs none.
@@ -350,6 +352,16 @@ const DESIGN: &[Binding] = &[
     k(A::PreviousLayout,             &[BACK_TAB],              "",           "previous layout"),
 ];
 
+/// The page of the tolerance.
+#[rustfmt::skip]
+const TOLERANCE: &[Binding] = &[
+    k(A::Study(NextColumn),     &[RIGHT, DOWN, c('e'), c(' ')], "next input", "the next input"),
+    k(A::Study(PreviousColumn), &[LEFT, UP],                    "",           "the input before"),
+    k(A::Type,                  &[ENTER],                       "off",        "type how far it may be off; a digit starts it too"),
+    k(A::NextLayout,            &[TAB],                         "layout",     "next layout"),
+    k(A::PreviousLayout,        &[BACK_TAB],                    "",           "previous layout"),
+];
+
 /// What holds on all screens but the main one, which says the same at its own place.
 #[rustfmt::skip]
 pub(super) const EVERYWHERE: &[Binding] = &[
@@ -371,4 +383,5 @@ pub(super) const PAGES: &[Binding] = &[
     k(open(Sweep),       &[c('w')],                       "",     "sweep"),
     k(open(Compare),     &[c('v')],                       "",     "compare"),
     k(open(Design),      &[c('g')],                       "",     "design"),
+    k(open(Tolerance),   &[c('S')],                       "",     "tolerance"),
 ];

@@ -24,12 +24,13 @@ impl App {
             Action::Check => return Some(self.start_study(page)),
             Action::Stop if self.work.campaign().is_some() => return None,
             Action::Stop => self.screen.show(Mode::Main),
-            Action::Fidelity if page != StudyPage::Compare => {
+            Action::Fidelity if !matches!(page, StudyPage::Compare | StudyPage::Tolerance) => {
                 let said = self.studies.next_fidelity();
                 self.inform(said);
             }
             Action::Take => self.study_take(page),
             Action::Type if page == StudyPage::Sweep => self.type_slot(None),
+            Action::Type if page == StudyPage::Tolerance => self.type_off(""),
             _ => return None,
         }
         Some(Vec::new())
@@ -54,6 +55,7 @@ impl App {
                 }
             }
             Some(StudyPage::Design) => self.design_ask(ask),
+            Some(StudyPage::Tolerance) => self.studies.tolerance.ask(ask),
             None => {}
         }
     }
@@ -67,6 +69,7 @@ impl App {
             _ if !(c.is_ascii_digit() || matches!(c, '.' | '-')) => self.no_key(key),
             StudyPage::Sweep => self.type_slot(Some(c)),
             StudyPage::Design => self.type_design(Input::DesignForce, c),
+            StudyPage::Tolerance => self.type_off(c),
             StudyPage::Sensitivity | StudyPage::Compare => self.no_key(key),
         }
     }
@@ -82,7 +85,7 @@ impl App {
                 Some(Err(said)) => self.screen.say(said),
                 None => {}
             },
-            StudyPage::Sensitivity | StudyPage::Sweep => {}
+            StudyPage::Sensitivity | StudyPage::Sweep | StudyPage::Tolerance => {}
         }
     }
 
@@ -174,6 +177,16 @@ impl App {
         self.screen.type_into(EditTarget::Study(Typed::Design(field)), text);
     }
 
+    fn typed_for(&self) -> Result<Case, String> {
+        let case = self.editor.case(self.editor.selected()).cloned();
+        case.ok_or_else(|| "the mesh of this layout is not known".to_string())
+    }
+
+    /// Begins to type how far an input may be off.
+    fn type_off(&mut self, text: impl Into<String>) {
+        self.screen.type_into(EditTarget::Study(Typed::Off), text);
+    }
+
     /// Takes a text that was typed on a page.
     ///
     /// # Errors
@@ -182,9 +195,12 @@ impl App {
         match typed {
             Typed::Design(field) => self.editor.read_field(field, text),
             Typed::Range(axis, slot) => {
-                let case = self.editor.case(self.editor.selected());
-                let case = case.ok_or("the mesh of this layout is not known")?;
-                self.studies.sweep.take_slot(case, axis, slot, text, self.editor.units())
+                let (case, unit) = (self.typed_for()?, self.editor.units());
+                self.studies.sweep.take_slot(&case, axis, slot, text, unit)
+            }
+            Typed::Off => {
+                let (case, unit) = (self.typed_for()?, self.editor.units());
+                self.studies.tolerance.take(&case, text, unit)
             }
         }
     }

@@ -11,6 +11,7 @@ pub(crate) mod design;
 mod given;
 pub(crate) mod sensitivity;
 pub(crate) mod sweep;
+pub(crate) mod tolerance;
 
 use super::editor::Editor;
 use super::keymap::StudyPage;
@@ -35,6 +36,7 @@ pub(super) struct Studies {
     sweep: sweep::SweepState,
     compare: compare::CompareState,
     design: design::DesignState,
+    tolerance: tolerance::ToleranceState,
 }
 
 impl Studies {
@@ -52,6 +54,10 @@ impl Studies {
 
     pub(super) fn design(&self) -> &design::DesignState {
         &self.design
+    }
+
+    pub(super) fn tolerance(&self) -> &tolerance::ToleranceState {
+        &self.tolerance
     }
 
     /// How exactly the checks of studies compute.
@@ -90,6 +96,7 @@ impl Studies {
             StudyPage::Sweep => self.sweep.follow(&given),
             StudyPage::Compare => self.compare.follow(&given),
             StudyPage::Design => self.design.follow(&given),
+            StudyPage::Tolerance => self.tolerance.follow(&given),
         }
     }
 
@@ -105,6 +112,7 @@ impl Studies {
             StudyPage::Sweep => self.sweep.step(lines),
             StudyPage::Compare => self.compare.step(lines),
             StudyPage::Design => self.design.step(lines),
+            StudyPage::Tolerance => self.tolerance.step(lines),
         }
     }
 
@@ -123,7 +131,7 @@ impl Studies {
             StudyPage::Sensitivity => (self.sensitivity.cases(), 0),
             StudyPage::Sweep => (self.sweep.cases().map_err(Status::error)?, self.sweep.question()),
             StudyPage::Design => (self.design.cases(), 0),
-            StudyPage::Compare => (Vec::new(), 0),
+            StudyPage::Compare | StudyPage::Tolerance => (Vec::new(), 0),
         };
         let purpose = Purpose { page, uid: editor.layout().uid, question };
         work.start_campaign(purpose, cases, self.wanted(runs))

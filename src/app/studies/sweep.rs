@@ -365,6 +365,6 @@ fn next_input(input: Input, up: bool, taken: Option<Input>) -> Input {
 }
 
 /// Reads a typed value of an input, SI.
-fn read(input: Input, text: &str, unit: Units) -> Result<f64, String> {
+pub(super) fn read(input: Input, text: &str, unit: Units) -> Result<f64, String> {
     parse_typed(text, input.row().quantity, unit).map_err(|e| e.to_string())
 }

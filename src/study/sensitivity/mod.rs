@@ -161,7 +161,8 @@ pub fn sensitivity(case: &Case) -> Sensitivity {
     Sensitivity { base, bars }
 }
 
-fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
+/// How the values of a case move; nothing where either has none.
+pub(super) fn change(base: &CaseValue, moved: &CaseValue) -> Option<Change> {
     let (Ok(base), Ok(moved)) = (base, moved) else { return None };
     let (from, to) = (base.values(), moved.values());
     let deflection = to.deflection.zip(from.deflection);

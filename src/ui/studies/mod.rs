@@ -5,6 +5,7 @@ pub(crate) mod design;
 pub(crate) mod map;
 pub(crate) mod sensitivity;
 pub(crate) mod sweep;
+pub(crate) mod tolerance;
 
 use super::text::{clear, put, spot};
 use super::theme::Theme;
@@ -30,6 +31,10 @@ pub(crate) fn draw(
     let marked = match page {
         StudyPage::Sensitivity => {
             sensitivity::draw(app, area, buf, theme);
+            None
+        }
+        StudyPage::Tolerance => {
+            tolerance::draw(app, area, buf, theme);
             None
         }
         StudyPage::Sweep => sweep::draw(app, area, buf, theme),
