@@ -147,6 +147,31 @@ pub struct RunOutcome {
     pub anchors: Vec<AnchorForce>,
 }
 
+#[cfg(test)]
+impl RunOutcome {
+    /// For tests: a run with a curve, that broke where the curve has its failure.
+    pub(crate) fn invented(curve: crate::curve::Curve) -> RunOutcome {
+        RunOutcome {
+            stop: Stop::AfterBreak,
+            first_break: curve.failure,
+            breaks: Vec::new(),
+            peak: curve.failure.unwrap_or_default(),
+            energy: 0.0,
+            k75: 0.0,
+            curve,
+            punch: Vec::new(),
+            support: Vec::new(),
+            quality: Quality::default(),
+            cost: Cost::default(),
+            skipped: Vec::new(),
+            stretch: [1.0; 2],
+            repeated: false,
+            net: None,
+            anchors: Vec::new(),
+        }
+    }
+}
+
 impl RunOutcome {
     /// The anchor with the largest force at the first break.
     pub fn worst_anchor(&self) -> Option<AnchorForce> {

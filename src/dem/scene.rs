@@ -60,6 +60,14 @@ pub struct SceneSpec {
     pub arrangement: Arrangement,
 }
 
+impl SceneSpec {
+    /// A scene at the plain alignment, seed 0, with a block in every cell.
+    pub(crate) fn plain(layout: Layout, test: Test, wire: WireData) -> SceneSpec {
+        let arrangement = Arrangement::default();
+        SceneSpec { layout, test, wire, phase: PLAIN_PHASE, seed: 0, arrangement }
+    }
+}
+
 /// A scene ready to run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {

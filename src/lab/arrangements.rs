@@ -2,7 +2,7 @@
 //! and its reference, with what the worst anchor carries, and what each costs.
 
 use super::bench::Listener;
-use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::layout::{Blocks, Grid, Layout, REFERENCE};
 use crate::mesh::catalogue;
@@ -70,14 +70,7 @@ pub(crate) fn table(listener: Listener) -> Result<ArrangementTable, Vec<Problem>
                 continue;
             }
             (listener.tell)(&format!("{scene}, {blocks:?}"));
-            let spec = SceneSpec {
-                layout,
-                test: Test::Anchored,
-                wire: wire.clone(),
-                phase: PLAIN_PHASE,
-                seed: 0,
-                arrangement: Arrangement::default(),
-            };
+            let spec = SceneSpec::plain(layout, Test::Anchored, wire.clone());
             let controls = Controls { fidelity: Fidelity::Quick, ..Controls::default() };
             let plan = Plan { runs: Some(RUNS), ..Plan::default() };
             let stood = blocks::run(&spec, &controls, &plan, &|_| Flow::Continue, &|_, _| {})?;

@@ -4,10 +4,7 @@
 use crate::dem::inertia::StepFactors;
 use crate::dem::plain::{Damping, Inertia, Plain};
 use crate::dem::run::drive;
-use crate::dem::{
-    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test,
-    check,
-};
+use crate::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Stop, Test, check};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
@@ -29,14 +26,7 @@ pub fn scene(name: &str) -> Option<SceneSpec> {
         "A'" | "A2" => (REFERENCE, Test::Anchored, laws::reference()),
         _ => return None,
     };
-    Some(SceneSpec {
-        layout,
-        test,
-        wire,
-        phase: PLAIN_PHASE,
-        seed: 1,
-        arrangement: Arrangement::default(),
-    })
+    Some(SceneSpec { seed: 1, ..SceneSpec::plain(layout, test, wire) })
 }
 
 /// Errors of a run against a reference, as parts of 1.

@@ -132,14 +132,7 @@ fn scene(target: &FitTarget, wire: WireData) -> SceneSpec {
     let plate = 0.1 * target.panel;
     let layout =
         Layout { plate, spacing: target.panel, punch: target.punch, ex: 0.0, ey: 0.0, ..REFERENCE };
-    SceneSpec {
-        layout,
-        test: Test::Laboratory,
-        wire,
-        phase: PLAIN_PHASE,
-        seed: 0,
-        arrangement: Arrangement::default(),
-    }
+    SceneSpec::plain(layout, Test::Laboratory, wire)
 }
 
 /// Scene of the anchored reference with these wires.

@@ -9,9 +9,7 @@ use super::bench::{Listener, errors, scene};
 use crate::dem::fast::{Fast, FastOptions, Path};
 use crate::dem::hash::{hash, uniform};
 use crate::dem::run::drive;
-use crate::dem::{
-    Arrangement, Controls, Fidelity, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test,
-};
+use crate::dem::{Controls, Fidelity, RunOutcome, Scene, SceneSpec, Stop, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
@@ -254,14 +252,7 @@ fn others(test: Test, listener: Listener) -> Result<Option<Vec<(f64, f64)>>, Vec
         let punch = part(3, 0.5, (0.6 * spacing - 0.4).min(1.2));
         let (ex, ey) = (part(4, -0.1, 0.1) * spacing, part(5, -0.1, 0.1) * spacing);
         let layout = Layout { plate: part(6, 0.2, 0.45), spacing, punch, ex, ey, ..REFERENCE };
-        let spec = SceneSpec {
-            layout,
-            test,
-            wire: laws::reference(),
-            phase,
-            seed,
-            arrangement: Arrangement::default(),
-        };
+        let spec = SceneSpec { phase, seed, ..SceneSpec::plain(layout, test, laws::reference()) };
         let Some(fine) = listener.check(&spec, &base(Fidelity::Fine))? else { return Ok(None) };
         for fidelity in [Fidelity::Quick, Fidelity::Standard] {
             let Some(run) = listener.check(&spec, &base(fidelity))? else { return Ok(None) };
@@ -323,14 +314,7 @@ pub(crate) fn sizes(listener: Listener) -> Result<Sizes, Vec<Problem>> {
                 ..REFERENCE
             };
             let (test, wire) = (Test::Anchored, laws::bench());
-            let spec = SceneSpec {
-                layout,
-                test,
-                wire,
-                phase: PLAIN_PHASE,
-                seed: 1,
-                arrangement: Arrangement::default(),
-            };
+            let spec = SceneSpec { seed: 1, ..SceneSpec::plain(layout, test, wire) };
             let Some((run, time)) = listener.timed(&spec, &base(Fidelity::Standard), 3)? else {
                 sizes.part = true;
                 return Ok(sizes);

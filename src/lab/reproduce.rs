@@ -10,7 +10,7 @@ use super::campaign::{CampaignPlan, Header};
 use super::derive::derive;
 use super::paper::{ANCHORED, K75, LABORATORY, PaperStanding, RATIOS};
 use crate::curve::Curve;
-use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::mesh::MeshType;
@@ -180,14 +180,8 @@ impl Scenes<'_> {
         arrangement: Arrangement,
         runs: usize,
     ) -> Result<Option<Ensemble>, Vec<Problem>> {
-        let spec = SceneSpec {
-            layout,
-            test,
-            wire: wires(self.mesh)?.clone(),
-            phase: PLAIN_PHASE,
-            seed: 0,
-            arrangement,
-        };
+        let plain = SceneSpec::plain(layout, test, wires(self.mesh)?.clone());
+        let spec = SceneSpec { arrangement, ..plain };
         let controls =
             Controls { fidelity: self.plan.fidelity, after_break: 0.0, ..Controls::default() };
         let plan = Plan {

@@ -6,7 +6,7 @@
 //! counts as "hardly" was written down before the first run: [`HARDLY`].
 
 use super::bench::Listener;
-use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::catalogue;
 use crate::mesh::wire::WireData;
@@ -133,14 +133,8 @@ fn single(
     cells: usize,
     runs: usize,
 ) -> Result<Ensemble, Vec<Problem>> {
-    let spec = SceneSpec {
-        layout,
-        test: Test::Anchored,
-        wire: wire.clone(),
-        phase: PLAIN_PHASE,
-        seed: 0,
-        arrangement: Arrangement::Single(cells),
-    };
+    let plain = SceneSpec::plain(layout, Test::Anchored, wire.clone());
+    let spec = SceneSpec { arrangement: Arrangement::Single(cells), ..plain };
     let controls = Controls { fidelity: Fidelity::Quick, after_break: 0.0, ..Controls::default() };
     let plan = Plan { runs: Some(runs), ..Plan::default() };
     ensemble::run(&spec, &controls, &plan, &|_| Flow::Continue)

@@ -1,6 +1,7 @@
 //! The list of what can be written.
 
-use super::text::{clear, cut, heading, put, spot};
+use super::list::{entry, sentences};
+use super::text::{clear, heading, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::export::ExportKind;
@@ -19,13 +20,10 @@ pub(crate) fn draw(
     heading(buf, area, "write to a file", "", theme);
     let stem =
         app.path().and_then(|p| p.file_stem()).map_or("meshcast".into(), |s| s.to_string_lossy());
-    let columns = usize::from(area.width);
     for (row, kind) in ExportKind::ALL.into_iter().enumerate() {
-        let sign = if row == index { ">" } else { " " };
         let name = kind.file_name(&stem, &app.layout().name, 1);
-        let text = format!(" {sign} {:<41} {name}", kind.about());
-        let style = if row == index { theme.selected } else { theme.text };
-        put(buf, area, 1 + row as u16, 0, &cut(&text, columns), style);
+        let text = format!(" {:<41} {name}", kind.about());
+        entry(buf, area, 1 + row, row == index, &text, theme);
     }
     let (checked, stale) = (0..app.project().layouts.len())
         .filter_map(|i| app.kept_check(i))
@@ -43,11 +41,6 @@ pub(crate) fn draw(
         },
     ];
     let top = 2 + ExportKind::ALL.len() as u16;
-    let wrapped =
-        lines.iter().flat_map(|line| textwrap::wrap(line, columns.saturating_sub(4).max(10)));
-    let rows = usize::from(area.height.saturating_sub(top));
-    for (row, line) in wrapped.take(rows).enumerate() {
-        put(buf, area, top + row as u16, 2, &line, theme.text);
-    }
+    sentences(buf, area, (top, usize::from(area.width).saturating_sub(4)), &lines, theme);
     spot(buf, area, 1 + index as u16, 1)
 }

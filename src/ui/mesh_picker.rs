@@ -1,7 +1,8 @@
 //! The list of meshes to choose from, with the record of the marked one.
 
 use super::layouts::first_shown;
-use super::text::{clear, cut, heading, put, spot};
+use super::list::{entry, sentences};
+use super::text::{clear, heading, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::units::{force_text, length_text, maybe_length_text};
@@ -28,18 +29,16 @@ pub(crate) fn draw(
     let first = first_shown(index, rows, meshes.len());
     for (row, i) in (first..meshes.len()).take(rows).enumerate() {
         let mesh = &meshes[i].mesh;
-        let sign = if i == index { ">" } else { " " };
         let used = if mesh.id == app.layout().mesh { "*" } else { " " };
         let inline = if meshes[i].inline { " (in this project)" } else { "" };
         let text = format!(
-            " {sign}{used} {:<16} {:>9} {:>8}  {}{inline}",
+            "{used} {:<16} {:>9} {:>8}  {}{inline}",
             mesh.id,
             force_text(mesh.laboratory.force, app.units()),
             maybe_length_text(mesh.laboratory.deflection, app.units()),
             mesh.title()
         );
-        let style = if i == index { theme.selected } else { theme.text };
-        put(buf, list, row as u16, 0, &cut(&text, usize::from(list.width)), style);
+        entry(buf, list, row, i == index, &text, theme);
     }
     let place = spot(buf, list, index.saturating_sub(first) as u16, 1);
     let Some(choice) = meshes.get(index) else { return place };
@@ -68,10 +67,6 @@ pub(crate) fn draw(
         None => "no ratios of its own: the reference's are assumed, with a warning".into(),
     });
     lines.push(format!("source: {}", lab.source));
-    let columns = usize::from(below.width.saturating_sub(3)).max(10);
-    let wrapped = lines.iter().flat_map(|line| textwrap::wrap(line, columns));
-    for (row, line) in wrapped.take(usize::from(below.height.saturating_sub(1))).enumerate() {
-        put(buf, below, 1 + row as u16, 2, &line, theme.text);
-    }
+    sentences(buf, below, (1, usize::from(below.width).saturating_sub(3)), &lines, theme);
     place
 }

@@ -30,6 +30,7 @@ pub(crate) mod export;
 pub(crate) mod hint;
 pub(crate) mod inputs;
 pub(crate) mod layouts;
+mod list;
 pub(crate) mod mesh_form;
 mod mesh_picker;
 pub(crate) mod open;

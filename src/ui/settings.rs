@@ -1,6 +1,7 @@
 //! The list of settings with their values and where each comes from.
 
-use super::text::{clear, cut, heading, put, spot};
+use super::list::{entry, sentences};
+use super::text::{clear, heading, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::app::settings::{SettingItem, Settings};
@@ -17,7 +18,6 @@ pub(crate) fn draw(
 ) -> Option<Position> {
     clear(buf, area);
     heading(buf, area, "settings, for all projects", "", theme);
-    let columns = usize::from(area.width);
     let preferences = app.preferences();
     let default = Settings::default();
     for (row, item) in SettingItem::ALL.into_iter().enumerate() {
@@ -29,10 +29,8 @@ pub(crate) fn draw(
         } else {
             ""
         };
-        let sign = if row == index { ">" } else { " " };
-        let text = format!(" {sign} {:<10}{word:<10}{from:<6}{}", item.name(), item.about());
-        let style = if row == index { theme.selected } else { theme.text };
-        put(buf, area, 1 + row as u16, 0, &cut(&text, columns), style);
+        let text = format!(" {:<10}{word:<10}{from:<6}{}", item.name(), item.about());
+        entry(buf, area, 1 + row, row == index, &text, theme);
     }
     let mut lines = vec![
         "A flag of this run stands above what is kept, that above the project's own unit. \
@@ -50,11 +48,6 @@ pub(crate) fn draw(
         lines.extend(trouble.lines().map(str::to_string));
     }
     let top = 2 + SettingItem::ALL.len() as u16;
-    let width = columns.saturating_sub(4).max(10);
-    let wrapped = lines.iter().flat_map(|line| textwrap::wrap(line, width));
-    let rows = usize::from(area.height.saturating_sub(top));
-    for (row, line) in wrapped.take(rows).enumerate() {
-        put(buf, area, top + row as u16, 2, &line, theme.text);
-    }
+    sentences(buf, area, (top, usize::from(area.width).saturating_sub(4)), &lines, theme);
     spot(buf, area, 1 + index as u16, 1)
 }

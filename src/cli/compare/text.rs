@@ -1,7 +1,7 @@
 //! A comparison as a table of 80 columns, the governing layout named below, and what to know.
 
 use super::{Compared, both, mark};
-use crate::case::{Derived, Input};
+use crate::case::Derived;
 use crate::cli::VERSION;
 use crate::cli::page::{BASIS, NAME, NO_LAYOUTS, Page, cut};
 use crate::remark::Weight;
@@ -10,20 +10,25 @@ use crate::show::verdict::short;
 use crate::study::compare::{Column, CompareRow, Comparison};
 use crate::study::verdict::Finding;
 use crate::units::Units;
+use crate::words::Choice;
 
-/// Columns of the table behind the name.
-const COLUMNS: [Column; 10] = [
-    Column::Size(Input::Plate),
-    Column::Size(Input::Spacing),
-    Column::Size(Input::Punch),
-    Column::Size(Input::OffsetX),
-    Column::Size(Input::OffsetY),
-    Column::Force,
-    Column::Deflection,
-    Column::ForceRatio,
-    Column::DeflectionRatio,
-    Column::Use,
-];
+/// Columns of the table behind the name: as many of all as 80 columns hold.
+fn columns() -> impl Iterator<Item = Column> {
+    Column::ALL.iter().copied().filter(|column| match column {
+        Column::Size(_)
+        | Column::Force
+        | Column::Deflection
+        | Column::ForceRatio
+        | Column::DeflectionRatio
+        | Column::Use => true,
+        Column::Name
+        | Column::Mesh
+        | Column::Utilisation
+        | Column::DesignDeflection
+        | Column::ServiceDeflection
+        | Column::Warnings => false,
+    })
+}
 
 /// The table with its notes.
 pub(crate) fn report(compared: &Compared, order: &[usize], unit: Units) -> String {
@@ -40,8 +45,8 @@ pub(crate) fn report(compared: &Compared, order: &[usize], unit: Units) -> Strin
     meshes(&mut page, c);
     page.lines.push(String::new());
     let head = |word: &str, part: fn(Column, Units) -> &'static str| {
-        let cell = |column: &Column| format!("{:>w$}", part(*column, unit), w = width(*column));
-        let cells: String = COLUMNS.iter().map(cell).collect();
+        let cell = |column: Column| format!("{:>w$}", part(column, unit), w = width(column));
+        let cells: String = columns().map(cell).collect();
         format!("  {word:<NAME$}{cells}")
     };
     page.lines.push(head("layout", |column, unit| comparison::head(column, unit).0));
@@ -89,15 +94,15 @@ fn meshes(page: &mut Page, c: &Comparison) {
 }
 
 fn line(row: &CompareRow, governs: bool, found: char, unit: Units) -> String {
-    let cells: String = (COLUMNS.iter())
+    let cells: String = columns()
         .map(|column| {
             let text = match (column, row.values()) {
                 // In the two columns together.
                 (Column::Force, Err(_)) => return String::new(),
                 (Column::Deflection, Err(why)) => return format!("{:>14}", why.short()),
-                _ => comparison::cell(row, *column, unit),
+                _ => comparison::cell(row, column, unit),
             };
-            format!("{text:>w$}", w = width(*column))
+            format!("{text:>w$}", w = width(column))
         })
         .collect();
     let sign = if governs { ">" } else { " " };

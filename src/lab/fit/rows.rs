@@ -5,9 +5,7 @@ use super::family::LawParameters;
 use crate::dem::hash::hash;
 use crate::dem::lattice::Role;
 use crate::dem::tensile::{Pull, TensileOutcome, TensileSpec, tensile};
-use crate::dem::{
-    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, RunProgress, SceneSpec, Test,
-};
+use crate::dem::{Controls, Fidelity, Flow, RunProgress, SceneSpec, Test};
 use crate::layout::Layout;
 use crate::mesh::wire::{NetGeometry, WireData};
 use crate::problem::Problem;
@@ -230,14 +228,7 @@ impl FitQuestion {
         wire: &WireData,
         tell: &FitTell,
     ) -> Result<Ensemble, Ended> {
-        let spec = SceneSpec {
-            layout,
-            test,
-            wire: wire.clone(),
-            phase: PLAIN_PHASE,
-            seed: 0,
-            arrangement: Arrangement::default(),
-        };
+        let spec = SceneSpec::plain(layout, test, wire.clone());
         let controls =
             Controls { fidelity: self.fidelity, after_break: 0.0, ..Controls::default() };
         let plan = Plan {

@@ -8,7 +8,7 @@
 
 mod beside;
 
-use crate::dem::{Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, SceneSpec, Test};
+use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::forecast::{laboratory, master};
 use crate::layout::{Layout, REFERENCE};
@@ -221,14 +221,8 @@ fn scene(
     options: &PaperOptions,
     tell: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
 ) -> Result<Option<Ensemble>, Vec<Problem>> {
-    let spec = SceneSpec {
-        layout: case.layout,
-        test: case.test,
-        wire: wire.clone(),
-        phase: PLAIN_PHASE,
-        seed: 0,
-        arrangement: case.arrangement,
-    };
+    let plain = SceneSpec::plain(case.layout, case.test, wire.clone());
+    let spec = SceneSpec { arrangement: case.arrangement, ..plain };
     let controls = Controls { fidelity: options.fidelity, ..Controls::default() };
     let (most, all) = case.most;
     let mut plan = Plan {
@@ -438,33 +432,15 @@ mod tests {
     use super::*;
     use crate::curve::Curve;
     use crate::curve::Point;
-    use crate::dem::Stop;
-    use crate::dem::outcome::{Cost, Quality, RunOutcome};
+    use crate::dem::PLAIN_PHASE;
+    use crate::dem::outcome::RunOutcome;
 
     fn run(curve: Curve) -> Run {
-        let failure = curve.failure;
         Run {
             pattern: None,
             seed: 0,
             phase: PLAIN_PHASE,
-            outcome: RunOutcome {
-                stop: Stop::AfterBreak,
-                first_break: failure,
-                breaks: Vec::new(),
-                peak: failure.unwrap_or_default(),
-                energy: 0.0,
-                k75: 0.0,
-                curve,
-                punch: Vec::new(),
-                support: Vec::new(),
-                quality: Quality::default(),
-                cost: Cost::default(),
-                skipped: Vec::new(),
-                stretch: [1.0; 2],
-                repeated: false,
-                net: None,
-                anchors: Vec::new(),
-            },
+            outcome: RunOutcome::invented(curve),
             wall: 0.0,
             processor: 0.0,
         }

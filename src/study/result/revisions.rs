@@ -47,7 +47,6 @@ impl fmt::Display for Revisions {
 mod tests {
     use super::*;
     use crate::curve::{Curve, Point};
-    use crate::dem::outcome::{Cost, Quality};
     use crate::dem::{Arrangement, PLAIN_PHASE, RunOutcome, Scene, SceneSpec, Stop, Test};
     use crate::fingerprint::{Fingerprint, Fingerprinter};
     use crate::layout::REFERENCE;
@@ -92,27 +91,19 @@ mod tests {
         };
         let points: Vec<Point> = (0..30).map(|n| at(f64::from(n) / 29.0)).collect();
         let first_break = (k != 4).then(|| at(0.95));
+        let curve = Curve {
+            deflection: points.iter().map(|p| p.deflection).collect(),
+            force: points.iter().map(|p| p.force).collect(),
+            failure: first_break,
+        };
         let outcome = RunOutcome {
             stop: if k == 5 { Stop::Diverged } else { Stop::AfterBreak },
-            first_break,
-            breaks: Vec::new(),
             peak: at(0.98),
             energy: 3_000.0 + 7.0 * k as f64,
             k75: 1.0e5 / (k + 1) as f64,
             punch: vec![0.0; points.len()],
             support: vec![0.0; points.len()],
-            curve: Curve {
-                deflection: points.iter().map(|p| p.deflection).collect(),
-                force: points.iter().map(|p| p.force).collect(),
-                failure: first_break,
-            },
-            quality: Quality::default(),
-            cost: Cost::default(),
-            skipped: Vec::new(),
-            stretch: [1.0; 2],
-            repeated: false,
-            net: None,
-            anchors: Vec::new(),
+            ..RunOutcome::invented(curve)
         };
         Run { seed, phase, pattern, outcome, wall: 0.0, processor: 0.0 }
     }
