@@ -75,7 +75,6 @@ pub enum PunchShape {
     /// The laboratory's dome: a flat cap with a rounded rim.
     #[default]
     Dome,
-    /// A sphere.
     Sphere,
     /// Flat but for its rounded rim.
     Flat,
@@ -117,7 +116,6 @@ impl Choice for MethodChoice {
 }
 
 impl MethodChoice {
-    /// The other one.
     pub(crate) fn other(self) -> MethodChoice {
         match self {
             MethodChoice::Published => MethodChoice::Derived,

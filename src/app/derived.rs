@@ -9,7 +9,7 @@ use crate::project::schema::{NamedLayout, Project};
 use crate::study::verdict::{Finding, Simulated, Verdict, verdict};
 use std::sync::Arc;
 
-/// The results of one layout.
+/// What follows from one layout as it stands, or why nothing does.
 #[derive(Debug, Clone)]
 pub struct LayoutResult {
     /// The layout as a case, if the project or the catalogue has its mesh.

@@ -7,17 +7,13 @@ use std::fmt;
 pub enum Code {
     /// A printable character as typed: `?` is `?`, not Shift with `/`.
     Char(char),
-    /// Enter.
     Enter,
     /// Escape.
     Esc,
-    /// Tab.
     Tab,
     /// Shift with Tab.
     BackTab,
-    /// Backspace.
     Backspace,
-    /// Delete.
     Delete,
     /// Arrow up.
     Up,
@@ -27,13 +23,9 @@ pub enum Code {
     Left,
     /// Arrow right.
     Right,
-    /// Page up.
     PageUp,
-    /// Page down.
     PageDown,
-    /// Home.
     Home,
-    /// End.
     End,
     /// A function key, from 1.
     F(u8),

@@ -23,7 +23,6 @@ pub enum ColorChoice {
     Auto,
     /// Sixteen colours, whatever the surroundings say.
     Basic16,
-    /// None.
     None,
 }
 
@@ -32,7 +31,7 @@ pub enum ColorChoice {
 pub struct Look {
     /// Colours.
     pub color: ColorMode,
-    /// Glyphs.
+    /// Signs that curves, bars and marks are drawn with.
     pub glyphs: Glyphs,
 }
 

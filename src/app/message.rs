@@ -103,7 +103,7 @@ pub struct FoundProject {
 /// A project that was opened in place of the former one.
 #[derive(Debug, Clone)]
 pub struct OpenedProject {
-    /// The project.
+    /// What its file holds, without kept edits.
     pub project: Arc<Project>,
     /// Its file.
     pub path: PathBuf,

@@ -91,7 +91,7 @@ pub struct App {
 /// What a program starts with.
 #[derive(Debug)]
 pub struct Start {
-    /// The project.
+    /// What its file holds, without kept edits.
     pub project: Arc<Project>,
     /// Its file, if it has one.
     pub path: Option<PathBuf>,
@@ -375,12 +375,10 @@ impl App {
         self.studies.wanted(self.settings().runs)
     }
 
-    /// The sensitivity.
     pub fn sensitivity(&self) -> Option<&SensitivityView> {
         self.studies.sensitivity().view()
     }
 
-    /// The sweep.
     pub fn sweep(&self) -> Option<&SweepView> {
         self.studies.sweep().view()
     }
@@ -400,7 +398,6 @@ impl App {
         self.studies.tolerance().view()
     }
 
-    /// The comparison.
     pub fn comparison(&self) -> Option<&CompareView> {
         self.studies.compare().view()
     }

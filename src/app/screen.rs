@@ -217,7 +217,6 @@ impl Screen {
         }
     }
 
-    /// The form of a mesh.
     pub(super) fn mesh_form(&mut self) -> Option<&mut MeshForm> {
         match &mut self.mode {
             Mode::MeshForm(form) => Some(form),

@@ -118,7 +118,6 @@ pub fn stops() -> Vec<TourStop> {
 }
 
 impl App {
-    /// Starts the tour.
     pub(super) fn start_tour(&mut self) {
         self.screen.show(Mode::Tour { stop: 0 });
     }

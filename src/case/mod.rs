@@ -32,7 +32,7 @@ use std::sync::Arc;
 pub struct Case {
     /// Its geometry.
     pub layout: Layout,
-    /// Its mesh.
+    /// Net, laboratory record and wires.
     pub mesh: Arc<MeshType>,
     /// The branch of Eqs. A.1-A.2 that it takes.
     pub rule: BranchRule,
@@ -43,7 +43,7 @@ pub struct Case {
 /// What follows from a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Derived {
-    /// Its forecast.
+    /// By the published equations, or by the method that the layout names.
     pub forecast: Forecast,
     /// The answer to its question; missing where the forecast has no field value.
     pub answer: Option<Answer>,

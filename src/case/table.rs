@@ -24,7 +24,6 @@ pub enum Input {
     DesignForce,
     /// Load per area of face, without its factor; instead of the design force.
     Pressure,
-    /// Allowable deflection.
     AllowableDeflection,
     /// What an anchor can take.
     AnchorResistance,

@@ -16,7 +16,6 @@ const BALANCE: f64 = 0.1;
 /// the punch: nearly all sound runs of random scenes stay below 0.005.
 pub(super) const IMBALANCE: f64 = 0.02;
 
-/// The account.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Account {
     /// Work of the punch, J.

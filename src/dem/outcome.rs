@@ -86,13 +86,13 @@ pub struct Quality {
 /// What a run cost; the caller adds the time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cost {
-    /// Steps in all.
+    /// Steps from the first touch to the stop.
     pub steps: usize,
     /// Steps up to the first break, or in all where there was none.
     pub steps_to_break: usize,
-    /// Nodes.
+    /// Nodes of the net, two a pair.
     pub nodes: usize,
-    /// Bonds.
+    /// Bonds that there were at the start.
     pub bonds: usize,
 }
 
@@ -107,7 +107,7 @@ pub struct Net {
     pub deflection: f64,
 }
 
-/// The outcome of a run.
+/// What one run of a scene gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunOutcome {
     /// Why it ended.
@@ -132,7 +132,7 @@ pub struct RunOutcome {
     pub support: Vec<f64>,
     /// Quality figures.
     pub quality: Quality,
-    /// Cost.
+    /// Steps and sizes, from which the caller has the time of each.
     pub cost: Cost,
     /// What was skipped, and what it may change, one sentence each.
     pub skipped: Vec<String>,

@@ -36,7 +36,7 @@ pub struct PlainNet {
     pub fixed: Vec<bool>,
     /// Nodes 2k and 2k + 1 are a pair with this inertia.
     pub inertia: Vec<PairInertia>,
-    /// The bonds.
+    /// All that there are, broken ones among them.
     pub bonds: Vec<PlainBond>,
     /// Loading curves.
     pub curves: Vec<BondCurve>,

@@ -43,7 +43,6 @@ impl ExportedLayout {
         })
     }
 
-    /// Its forecast.
     pub fn forecast(&self) -> &Forecast {
         &self.derived.forecast
     }

@@ -125,7 +125,7 @@ impl From<Values> for Strength {
 /// The forecast of one layout with one mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
-    /// The layout it is for.
+    /// The geometry it was made from, m.
     pub layout: Layout,
     /// The branch rule it follows.
     pub rule: BranchRule,

@@ -73,7 +73,7 @@ pub struct BenchRow {
     pub fidelity: String,
     /// Processor time to the first break, set-up included, best of several, ms.
     pub wall_ms: f64,
-    /// Steps.
+    /// Steps to the first break.
     pub steps: usize,
     /// Error of the force at the first break, %.
     #[serde(rename = "F_error_pct")]
@@ -81,7 +81,7 @@ pub struct BenchRow {
     /// Error of the deflection at the first break, %.
     #[serde(rename = "delta_error_pct")]
     pub deflection_error: f64,
-    /// Error of the curve, %.
+    /// Largest difference of the curves up to the first break, over the force there, %.
     #[serde(rename = "curve_error_pct")]
     pub curve_error: f64,
     /// Error estimate that the run itself gives, %.

@@ -103,7 +103,6 @@ impl Relation {
     }
 }
 
-/// The tables.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct Tables {
     /// Rows, scene by scene and knob by knob.

@@ -46,7 +46,6 @@ pub(crate) struct EstimateRow {
     /// Diameter of the block, m.
     #[serde(rename = "D_m")]
     pub(crate) punch: f64,
-    /// Fidelity.
     pub(crate) fidelity: &'static str,
     /// Error of the force at the first break, %.
     #[serde(rename = "F_error_pct")]
@@ -89,11 +88,8 @@ impl EstimateRow {
 /// A fidelity over all scenes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct EstimateCount {
-    /// Fidelity.
     pub(crate) fidelity: &'static str,
-    /// Its aim, %.
     pub(crate) aim_pct: f64,
-    /// Runs.
     pub(crate) runs: usize,
     /// Whose estimate is beaten.
     pub(crate) beaten: usize,
@@ -143,7 +139,6 @@ impl EstimateCount {
     }
 }
 
-/// The survey.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct EstimateSurvey {
     /// Seed that drew the scenes.

@@ -39,7 +39,6 @@ pub(crate) struct HeldOutPlan {
 /// A layout: check over forecast, force and deflection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HeldOutLayout {
-    /// The layout.
     pub(crate) layout: Layout,
     /// Mean force of the check, N, and deflection, m.
     pub(crate) check: [f64; 2],
@@ -65,9 +64,7 @@ pub(crate) struct HeldOutTable {
 /// 10, 50 and 90 % points of check over forecast, by one method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Points {
-    /// Of the force.
     pub(crate) force: [f64; 3],
-    /// Of the deflection.
     pub(crate) deflection: [f64; 3],
 }
 

@@ -48,7 +48,6 @@ pub(crate) struct Compared {
     pub(crate) words: String,
     /// The paper's.
     pub(crate) paper: f64,
-    /// Ours.
     pub(crate) ours: f64,
     /// What our law and methods have seen of it.
     pub(crate) standing: PaperStanding,

@@ -26,7 +26,6 @@ pub(crate) const FORMAT: u32 = 1;
 pub(crate) struct DerivedMethod {
     /// Form of the file.
     pub(crate) format: u32,
-    /// Its name.
     pub(crate) name: String,
     /// Identifier of the mesh.
     pub(crate) mesh: String,
@@ -38,7 +37,6 @@ pub(crate) struct DerivedMethod {
     pub(crate) revisions: String,
     /// How exactly they were computed.
     pub(crate) fidelity: String,
-    /// The campaigns.
     pub(crate) campaigns: Vec<Source>,
     /// What became of their runs.
     pub(crate) runs: Counts,
@@ -103,7 +101,6 @@ impl DerivedMethod {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Source {
-    /// Its seed.
     pub(crate) seed: u64,
     /// Its runs of random layouts.
     pub(crate) runs: usize,
@@ -115,13 +112,11 @@ pub(crate) struct Source {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Counts {
-    /// Asked for.
     pub(crate) asked: usize,
     /// In the fits.
     pub(crate) used: usize,
     /// Slipped through.
     pub(crate) slipped: usize,
-    /// Diverged.
     pub(crate) diverged: usize,
     /// Not run or without a break, by reason.
     pub(crate) left_out: Vec<(String, usize)>,
@@ -141,7 +136,6 @@ pub(crate) struct Anchor {
     pub(crate) deflection: f64,
     /// Its standard error, m.
     pub(crate) deflection_error: f64,
-    /// Runs.
     pub(crate) runs: usize,
 }
 

@@ -41,9 +41,7 @@ pub(crate) struct Offsets {
 /// Factors of an offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Factors {
-    /// On the force.
     pub(crate) force: f64,
-    /// On the deflection.
     pub(crate) deflection: f64,
 }
 

@@ -123,7 +123,6 @@ pub(crate) struct Product {
     pub(crate) deflection_plate: f64,
 }
 
-/// As published.
 pub(crate) const PUBLISHED: Product = Product {
     force_small: 2.47,
     force_large: 0.06,

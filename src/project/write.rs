@@ -16,7 +16,6 @@ use std::fmt::Write;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what} cannot be written: {why}")]
 pub struct Unwritable {
-    /// What it is.
     pub(crate) what: String,
     /// Why not.
     pub(crate) why: String,

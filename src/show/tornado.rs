@@ -15,9 +15,7 @@ pub(crate) struct TornadoRow {
     pub(crate) input: Input,
     /// Between which values it is moved, with their unit.
     pub(crate) range: String,
-    /// By the forecast.
     pub(crate) forecast: Moves,
-    /// By checks.
     pub(crate) check: Option<Moves>,
 }
 

@@ -28,13 +28,11 @@ pub(crate) const REVISION: u32 = 2;
 /// One run of an ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// Its seed.
     pub(crate) seed: u64,
     /// Its alignment.
     pub(crate) phase: [f64; 2],
     /// Number of its pattern of caught nodes in the sample, where there are patterns.
     pub(crate) pattern: Option<usize>,
-    /// Its outcome.
     pub(crate) outcome: RunOutcome,
     /// Time on the wall from the start, set-up included, to the first break or the end, s.
     pub(crate) wall: f64,

@@ -23,7 +23,6 @@ pub(crate) struct MeshChoice {
     pub(crate) inline: bool,
 }
 
-/// Kinds of grids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::app) enum GridKind {
     /// One spacing.

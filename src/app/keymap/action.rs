@@ -81,7 +81,7 @@ pub enum Action {
     Study(Ask),
 }
 
-/// A page of a study.
+/// The studies that have a page over the whole screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StudyPage {
     /// How the answer moves with each input.

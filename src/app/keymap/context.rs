@@ -11,7 +11,6 @@ pub enum Context {
     Pager,
     /// The list of meshes.
     MeshPicker,
-    /// The form of a mesh.
     MeshForm,
     /// The question before quitting with unsaved edits.
     ConfirmQuit,

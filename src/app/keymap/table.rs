@@ -182,7 +182,6 @@ const MESH_PICKER: &[Binding] = &[
     k(A::Close, &[ESC, ctrl('g'), c('q'), c('m'), ctrl('c')], "back",     "back, keep the mesh"),
 ];
 
-/// The form of a mesh.
 #[rustfmt::skip]
 const MESH_FORM: &[Binding] = &[
     k(A::Take,  &[ENTER],                        "next",     "the next row; in the last one the mesh is added and given to the layout"),
@@ -257,7 +256,6 @@ const CONFIRM_OPEN: &[Binding] = &[
     k(A::Close,       &[ESC, ctrl('g'), c('q'), ctrl('c')], "stay",          "stay"),
 ];
 
-/// The tour.
 #[rustfmt::skip]
 const TOUR: &[Binding] = &[
     k(A::NextStop,     &[ENTER, c(' '), RIGHT],           "next", "the next screen; after the last the work begins"),

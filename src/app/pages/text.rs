@@ -1,6 +1,5 @@
 //! A page of text as it grows, wrapped to a width.
 
-/// A line of a page.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PageLine {
     /// The text, no wider than the page was asked for.

@@ -38,7 +38,7 @@ pub struct Settings {
     pub tour_seen: bool,
 }
 
-/// One setting.
+/// The rows of the list of settings, which `:set` names too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SettingItem {
     /// Unit of lengths.

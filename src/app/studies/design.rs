@@ -43,7 +43,7 @@ pub struct DesignView {
 /// A line of the list.
 #[derive(Debug)]
 pub struct DesignLine {
-    /// The input.
+    /// What is solved for: d, L or D.
     pub input: Input,
     /// What there is to take.
     pub kind: DesignKind,

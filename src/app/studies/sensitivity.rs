@@ -13,7 +13,7 @@ use crate::study::sensitivity::{Effect, Sensitivity, sensitivity};
 pub struct SensitivityView {
     /// The layout as a case.
     pub case: Case,
-    /// By the forecast.
+    /// How its forecast moves, in m, N and parts of 1.
     pub forecast: Sensitivity,
     /// By checks, as far as there are any.
     pub checked: CheckedSensitivity,

@@ -57,7 +57,6 @@ pub struct RunningCampaign {
 }
 
 impl RunningCampaign {
-    /// The page that it is for.
     pub(crate) fn page(&self) -> StudyPage {
         self.purpose.page
     }

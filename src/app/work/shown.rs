@@ -21,7 +21,7 @@ pub enum Standing {
 /// A result to be shown.
 #[derive(Debug, Clone, Copy)]
 pub struct ShownCheck<'a> {
-    /// The result.
+    /// The check as the project keeps it.
     pub result: &'a CheckResult,
     /// The shape of the net, where this session made the result.
     pub relief: Option<&'a Relief>,

@@ -77,7 +77,6 @@ impl Checked {
         if self.plan.auto { Exactness::Auto } else { self.fidelity.into() }
     }
 
-    /// The word of its fidelity.
     fn fidelity_word(&self) -> &'static str {
         self.exactness().word()
     }

@@ -8,7 +8,6 @@ use crate::show::verdict;
 use crate::study::compare::CompareRow;
 use crate::words::Choice;
 
-/// One layout.
 struct LayoutRow<'a> {
     row: &'a CompareRow,
     point: PointRow<'a>,

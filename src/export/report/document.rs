@@ -115,7 +115,6 @@ pub(crate) enum Block {
     NewPage,
 }
 
-/// A picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Picture {
     pub(crate) svg: String,
@@ -125,7 +124,6 @@ pub(crate) struct Picture {
     pub(crate) wide: bool,
 }
 
-/// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ReportDocument {
     pub(crate) title: String,

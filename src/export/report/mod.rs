@@ -30,7 +30,7 @@ pub struct ReportSource<'a> {
 /// All that a report is made from.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
-    /// The project.
+    /// The project as it stands, with edits that are not saved.
     pub project: &'a Project,
     /// Its layouts with their results, see [`super::exported()`].
     pub cases: &'a [ExportedLayout],

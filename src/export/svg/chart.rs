@@ -15,7 +15,7 @@ use crate::units::{Units, force_text, length_entry, length_text, shortest};
 pub struct Series<'a> {
     /// The layout.
     pub case: &'a ExportedLayout,
-    /// Its check.
+    /// The check that is drawn over the forecast.
     pub check: Option<&'a Check>,
 }
 

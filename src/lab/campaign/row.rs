@@ -50,7 +50,6 @@ pub(crate) enum RowEnd {
 }
 
 impl RowEnd {
-    /// In words.
     pub(crate) fn words(self) -> &'static str {
         match self {
             RowEnd::Broke => "broke",

@@ -63,7 +63,6 @@ impl Choice for FirstBond {
 /// All that is told of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MeshData {
-    /// Its net.
     pub(crate) net: NetGeometry,
     /// Its punch tests; at least one.
     pub(crate) punches: Vec<PunchData>,

@@ -59,7 +59,6 @@ impl Held {
     }
 }
 
-/// A fitted law.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FittedLaw {
     /// Where the search began.

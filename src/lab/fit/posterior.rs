@@ -46,12 +46,10 @@ pub(crate) struct IdentifyOptions {
     pub(crate) threads: usize,
 }
 
-/// A law of the ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EnsembleLaw {
     /// Number of the start whose valley it lies in.
     pub(crate) start: usize,
-    /// The law.
     pub(crate) law: LawParameters,
     /// Sum of squares of the data's rows.
     pub(crate) score: f64,

@@ -55,7 +55,7 @@ struct RunCounts {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FitStart {
-    /// Its name.
+    /// By which the record of the fit names it.
     pub name: String,
     /// What it is.
     pub words: String,
@@ -208,7 +208,7 @@ pub struct RecordedFit {
 pub struct RecordedLaw {
     /// Name of the start.
     pub start: String,
-    /// The law.
+    /// Where the search from there ended.
     pub law: LawParameters,
     /// Sum of squares at the start and at the end.
     pub scores: (f64, f64),

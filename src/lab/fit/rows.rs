@@ -84,7 +84,6 @@ pub(crate) enum Measure {
     WireElongation,
 }
 
-/// A row.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FitRow {
     /// In words.
@@ -150,11 +149,8 @@ fn figure(run: &Run, measure: Measure) -> Option<f64> {
 /// All that a fit compares with, and how it simulates.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FitQuestion {
-    /// The net.
     pub(crate) net: NetGeometry,
-    /// The scenes.
     pub(crate) scenes: Vec<FitScene>,
-    /// The rows.
     pub(crate) rows: Vec<FitRow>,
     /// Seed of alignments and slack.
     pub(crate) seed: u64,

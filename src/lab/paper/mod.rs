@@ -78,7 +78,6 @@ pub(crate) enum PaperQuantity {
     Deflection,
     /// Tangent stiffness at 75 % of the force, N/m.
     Stiffness,
-    /// A ratio.
     Ratio,
     /// Largest difference of the normalised curve from Eq. 3.
     Shape,

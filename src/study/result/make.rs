@@ -25,7 +25,7 @@ pub enum Told<'a> {
 /// A result with the shape of the net, which is not kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Made {
-    /// The result.
+    /// The figures, as the project keeps them.
     pub result: CheckResult,
     /// The net at the first break of the first run.
     pub relief: Option<Relief>,

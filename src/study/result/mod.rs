@@ -258,7 +258,6 @@ impl CheckResult {
 }
 
 impl CheckResult {
-    /// The remarks on it.
     pub(crate) fn remarks(&self) -> Vec<CheckRemark> {
         let facts = Facts {
             flags: &self.flags,

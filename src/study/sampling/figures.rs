@@ -28,7 +28,6 @@ pub(crate) struct Placed {
     pub(crate) pattern: Option<usize>,
     /// Its alignment.
     pub(crate) phase: [f64; 2],
-    /// The value.
     pub(crate) value: f64,
 }
 

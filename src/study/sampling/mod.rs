@@ -33,7 +33,6 @@ pub(crate) enum Kind {
     Pinned,
     /// By the patterns of caught nodes.
     Patterns,
-    /// On a lattice.
     Lattice,
 }
 

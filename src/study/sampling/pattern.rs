@@ -13,9 +13,7 @@ use std::collections::BTreeMap;
 /// may be beyond 1 and then is that of the next period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rectangle {
-    /// From and to in x.
     x: [f64; 2],
-    /// From and to in y.
     y: [f64; 2],
 }
 

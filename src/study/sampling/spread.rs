@@ -3,7 +3,7 @@
 /// Mean, spread and extremes of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Spread {
-    /// Mean.
+    /// In the unit of the values, as the others are.
     pub mean: f64,
     /// Standard deviation of a single run.
     pub deviation: f64,

@@ -33,7 +33,6 @@ const NEAR_LIMIT: f64 = 0.8;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Basis {
-    /// The mean.
     #[default]
     Mean,
     /// The characteristic value, which 5 % fall below.
@@ -41,7 +40,6 @@ pub enum Basis {
 }
 
 impl Basis {
-    /// The other one.
     pub(crate) fn other(self) -> Basis {
         match self {
             Basis::Mean => Basis::Characteristic,
@@ -356,7 +354,7 @@ impl Verdict {
         }
     }
 
-    /// The largest use.
+    /// Use of the check that governs, 1 where demand meets capacity; nothing where none does.
     pub fn largest_use(&self) -> Option<f64> {
         self.usage(self.governing()?)
     }
