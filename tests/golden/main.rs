@@ -1,10 +1,11 @@
 //! Every output that needs no screen, byte for byte as it was: a scaffold for changes that must change
 //! nothing.
 //!
-//! It stays, for what it holds nobody else does: the wording and layout of whole texts, reports, helps and
-//! errors, the names and order of all fields and columns, and that a result is the same bits in every form. That the
-//! numbers and words are right is held elsewhere: `tests/published`, `tests/physics`, `tests/cli` and
-//! `tests/export`. A case that some of these comes to hold word for word can go.
+//! It stays, for what it holds nobody else does: the wording and layout of whole texts, reports, helps
+//! and errors, the names and order of all fields and columns, and that a result is the same bits in
+//! every form. That the numbers and words are right is held elsewhere: `tests/published`,
+//! `tests/physics`, `tests/cli` and `tests/export`. A case that some of these comes to hold word for word
+//! can go.
 //!
 //! `MESHCAST_GOLDEN=write` writes the expected files instead of comparing with them, and
 //! `MESHCAST_GOLDEN_BINARY` names another binary to run. Expected files come from the binary of before
