@@ -338,7 +338,7 @@ fn a_tolerance_has_the_ends_and_the_worst_in_between_in_every_form() {
 
     let text = good(&plate);
     assert!(text.contains("d 0.32 m, by up to 0.032 m either way"), "{text}");
-    assert!(text.contains("-5.2 %") && text.contains("PASSES: force"), "{text}");
+    assert!(text.contains("-5.2 %") && text.contains("PASSES: strength 50.0 %"), "{text}");
     // An eccentric block that may run onto a plate has no value there, and that is the worst.
     let edge = good(&["tolerance", "--vary", "ex", "--off", "0.15", "--ex", "0.79", "--ey", "1.5"]);
     assert!(edge.contains("worst") && edge.contains("on plate"), "{edge}");
