@@ -69,7 +69,7 @@ fn runs(text: &str) -> Result<Runs, String> {
 
 /// What each fidelity means; the reference is for comparing the others with it.
 const FIDELITIES: &[(Exactness, &str)] = &[
-    (Exactness::Auto, "Quick runs with their bias taken out where that pays, else standard ones"),
+    (Exactness::Auto, "Quick runs, their bias taken out by a few standard ones"),
     (Exactness::Quick, "Errors within 3 %"),
     (Exactness::Standard, "Errors within 1 %"),
     (Exactness::Fine, "Errors within 0.2 %"),

@@ -282,8 +282,9 @@ pub(crate) fn counts(run: &Run) -> bool {
 }
 
 impl Ensemble {
-    /// The remarks on it; `aligned` says whether its runs were given one alignment.
-    pub(crate) fn remarks(&self, fidelity: Fidelity, aligned: bool) -> Vec<CheckRemark> {
+    /// The remarks on it; `aligned` says whether its runs were given one alignment, `fidelity`
+    /// what each of them has, where that is not the ensemble's own choice.
+    pub(crate) fn remarks(&self, fidelity: Option<Fidelity>, aligned: bool) -> Vec<CheckRemark> {
         let counted: Vec<_> = self.runs.iter().filter(|run| counts(run)).collect();
         let broken = counted.iter().filter(|run| run.outcome.first_break.is_some()).count();
         let diverged = self.runs.iter().filter(|r| r.outcome.stop == Stop::Diverged).count();

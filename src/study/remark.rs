@@ -284,7 +284,8 @@ pub(super) struct Facts<'a> {
     pub(super) force_error: f64,
     /// The worst run's.
     pub(super) error_estimate: f64,
-    pub(super) fidelity: Fidelity,
+    /// Of each run; nothing where the force's error has all that is known of it, see [`super::paired`].
+    pub(super) fidelity: Option<Fidelity>,
 }
 
 impl Facts<'_> {
@@ -305,8 +306,9 @@ impl Facts<'_> {
             list.push(CheckRemark::StandardError(Some(self.force_error)));
         }
         let worst = self.error_estimate;
-        if worst.is_finite() && worst > 2.0 * self.fidelity.aim() {
-            list.push(CheckRemark::ErrorEstimate(Some((worst, self.fidelity))));
+        if let Some(fidelity) = self.fidelity.filter(|f| worst.is_finite() && worst > 2.0 * f.aim())
+        {
+            list.push(CheckRemark::ErrorEstimate(Some((worst, fidelity))));
         }
         if alone {
             list.push(CheckRemark::OneAlignment);
@@ -340,7 +342,7 @@ mod tests {
             aligned: false,
             force_error: 0.01,
             error_estimate: 0.01,
-            fidelity: Fidelity::Standard,
+            fidelity: Some(Fidelity::Standard),
         }
     }
 

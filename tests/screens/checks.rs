@@ -227,7 +227,15 @@ fn what_the_solver_makes_is_taken_and_current() {
     let (highest, deflection) = (relief.highest, shown.result.breaks[0].at.deflection);
     assert!((highest / deflection - 1.0).abs() < 0.1, "{highest} {deflection}");
     assert!(text(&app).contains("DEM "), "{}", text(&app));
-    press(&mut app, "<Down><Right>");
+    // What the plates catch is told, with what each pattern carries.
+    press(&mut app, "i");
+    let mut told = text(&app);
+    for _ in 0..5 {
+        press(&mut app, "<PgDn>");
+        told += &text(&app);
+    }
+    assert!(told.contains("a plate catches ") && told.contains(" of the slope"), "{told}");
+    press(&mut app, "<Esc><Down><Right>");
     assert!(app.shown_check().unwrap().stale());
 }
 

@@ -81,9 +81,9 @@ impl Checked {
         self.exactness().word()
     }
 
-    /// The fidelity that most of its runs have.
-    fn run_fidelity(&self) -> Fidelity {
-        if self.ensemble.bias.is_some() { Fidelity::Quick } else { self.fidelity }
+    /// The fidelity of each run, where that was asked for.
+    pub(super) fn run_fidelity(&self) -> Option<Fidelity> {
+        (!self.plan.auto).then_some(self.fidelity)
     }
 
     /// The same with what was made of it.
@@ -91,7 +91,7 @@ impl Checked {
         let word = self.fidelity_word();
         match self.ensemble.bias {
             Some(b) => format!(
-                "{word} (quick runs; {} made again at standard, by which F is {:+.2} %, delta {:+.2} %)",
+                "{word} (quick runs, {} again at standard: F {:+.2} %, delta {:+.2} %)",
                 b.pairs,
                 100.0 * (b.factors[0] - 1.0),
                 100.0 * (b.factors[1] - 1.0)

@@ -23,9 +23,9 @@ use super::ensemble::{Ensemble, Plan, Run, Spread, counts, weighted_mean, weight
 use super::exactness::Exactness;
 use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::curve::{Curve, Point};
+use crate::dem::Controls;
 use crate::dem::lattice::Role;
 use crate::dem::outcome::Quality;
-use crate::dem::{Controls, Fidelity};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
 pub use revisions::Revisions;
@@ -269,11 +269,7 @@ impl CheckResult {
             aligned: false,
             force_error: self.force.uncertainty(),
             error_estimate: self.quality.error_estimate,
-            // Most of a chosen one's are quick, or may be.
-            fidelity: match self.wanted.fidelity {
-                Exactness::Auto => Fidelity::Quick,
-                other => other.fidelity(),
-            },
+            fidelity: (!self.wanted.fidelity.auto()).then(|| self.wanted.fidelity.fidelity()),
         };
         facts.remarks()
     }

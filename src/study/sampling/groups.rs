@@ -47,14 +47,14 @@ impl Group {
 
 /// Runs that are left over at least, where there are enough, so that some patterns are run twice and the
 /// scatter within patterns is seen and not only assumed.
-const REPEATS: usize = 2;
+pub(super) const REPEATS: usize = 2;
 
 /// The groups of `runs` runs over patterns of these areas, largest first; as many runs as asked for,
-/// unless there is no pattern.
-pub(crate) fn groups(areas: &[f64], runs: usize) -> Vec<Group> {
+/// unless there is no pattern; so many of them are left over for a second look.
+pub(crate) fn groups(areas: &[f64], runs: usize, repeats: usize) -> Vec<Group> {
     let single = |p: usize| Group { patterns: vec![p], area: areas[p], runs: 1 };
     let mut groups: Vec<Group> = (0..areas.len()).map(single).collect();
-    let most = if runs > 2 * REPEATS { runs - REPEATS } else { runs.max(1) };
+    let most = if runs > 2 * repeats { runs - repeats } else { runs.max(1) };
     let mut best: Option<(f64, Vec<Group>)> = None;
     while !groups.is_empty() {
         if groups.len() <= most {

@@ -47,6 +47,9 @@ const LEAST_LATTICE: usize = 16;
 
 /// Part of the standard error aimed at that is planned for: what is assumed may be too little.
 const PLANNED: f64 = 0.75;
+/// Runs made at least where the ensemble chooses their fidelity: none is left over for a second look, the
+/// scatter within patterns is then the assumed one.
+const LEAST_AUTO: usize = 4;
 
 /// The places of an ensemble's runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,11 +107,15 @@ impl Sample {
         (self.kind, self.patterns) = (Kind::Patterns, patterns);
         let areas = self.areas();
         self.groups = match self.plan.runs {
-            Some(n) => groups::groups(&areas, n.max(1)),
+            Some(n) => groups::groups(&areas, n.max(1), groups::REPEATS),
             None => {
+                let (least, repeats) = match self.plan.auto {
+                    true => (LEAST_AUTO, 0),
+                    false => (LEAST_PLACED, groups::REPEATS),
+                };
                 let aim = PLANNED * TARGET;
                 let enough = |g: &Vec<Group>| groups::predicted(g, &areas) <= aim * aim;
-                let tried = (LEAST_PLACED..=MOST).map(|n| groups::groups(&areas, n));
+                let tried = (least..=MOST).map(|n| groups::groups(&areas, n, repeats));
                 let mut last = Vec::new();
                 tried.inspect(|g| last.clone_from(g)).find(enough).unwrap_or(last)
             }

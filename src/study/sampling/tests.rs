@@ -157,6 +157,10 @@ impl Made {
     }
 
     fn sample(&self, runs: Option<usize>, seed: u64) -> Sample {
+        self.planned(Plan { runs, seed, ..Plan::default() })
+    }
+
+    fn planned(&self, plan: Plan) -> Sample {
         let whole: f64 = self.areas.iter().sum();
         let mut from = 0.0;
         let pattern = |area: &f64| {
@@ -166,7 +170,6 @@ impl Made {
             Pattern { nodes: 0.0, area: area / whole, rectangles }
         };
         let patterns = self.areas.iter().map(pattern).collect();
-        let plan = Plan { runs, seed, ..Plan::default() };
         let mut sample =
             Sample { kind: Kind::Pinned, patterns: Vec::new(), groups: Vec::new(), round: 1, plan };
         sample.by_patterns(patterns);
@@ -224,6 +227,31 @@ fn the_standard_error_is_that_of_the_mean() {
             assert!((0.77..1.45).contains(&ratio) && covered > 0.84, "{text}");
             assert!(n < 32 || ((0.9..1.1).contains(&ratio) && covered > 0.91), "{text}");
         }
+    }
+}
+
+#[test]
+fn fewer_members_without_a_second_look_tell_their_error_too() {
+    for (number, made) in Made::all().iter().enumerate() {
+        let (trials, mut squares, mut said, mut sum, mut inside) = (600, 0.0, 0.0, 0.0, 0);
+        let mut n = 0;
+        for seed in 0..trials {
+            let sample = made.planned(Plan { seed, auto: true, ..Plan::default() });
+            n = sample.round;
+            let s = made.ensemble(&sample, n);
+            let off = s.mean - made.mean();
+            sum += off;
+            squares += off * off;
+            said += s.error * s.error;
+            inside += i32::from(off.abs() < 1.96 * s.error);
+        }
+        let trials = trials as f64;
+        let (ratio, covered) = ((said / squares).sqrt(), f64::from(inside) / trials);
+        let rms = (squares / trials).sqrt();
+        let text = format!("{number}, {n} runs: rms {rms:.4}, {ratio:.2} of it, {covered:.3}");
+        assert!((sum / trials).abs() < 4.0 * rms / trials.sqrt(), "{text}");
+        assert!(rms < 0.01 && (0.77..1.45).contains(&ratio) && covered > 0.84, "{text}");
+        assert!(n < made.sample(None, 0).round, "{text}");
     }
 }
 
