@@ -11,6 +11,7 @@
 //! - [`calibrate`]: a wire law that reproduces a mesh's punch test.
 //! - [`held_out`]: forecasts against checks of layouts that no fit has seen.
 //! - [`fit`]: a wire law fitted to many figures at once; the wires of the reference mesh.
+//! - [`questions`]: time and error of whole checks, and what quick runs leave out.
 //! - [`statements`]: what others say of single blocks.
 //! - [`reproduce`]: the paper's figures and tables from our simulations.
 //! - [`paper`]: the paper's own results beside ensembles of ours.
@@ -26,5 +27,6 @@ pub(crate) mod estimates;
 pub mod fit;
 pub(crate) mod held_out;
 pub(crate) mod paper;
+pub(crate) mod questions;
 pub(crate) mod reproduce;
 pub(crate) mod statements;

@@ -54,12 +54,20 @@ const SURVEY: &[&str] = &[
 const BYTES: &[&str] =
     &["test", "--test", "terminal", "cost", "--", "--nocapture", "--test-threads", "1"];
 
-const SECTIONS: [Section; 10] = [
+/// Whole checks, random beside placed; with `--svg` they draw the picture beside the page.
+const QUESTIONS: &[&str] = &["bench", "--questions", "--scenes", "20", "--seed", "7"];
+const PAIRS: &[&str] = &["bench", "--pairs", "--scenes", "60", "--seed", "20261127"];
+const ESTIMATE: &[&str] = &["bench", "--estimate", "--scenes", "300", "--seed", "20261130"];
+
+const SECTIONS: [Section; 13] = [
     of("forecast", Tool::Cargo, &["bench", "--bench", "forecast"], &["time:", "sweep"], true),
     of("terminal", Tool::Cargo, &["bench", "--bench", "terminal"], &[], true),
     of("bytes", Tool::Cargo, BYTES, &[" bytes"], false),
     of("errors", Tool::Meshcast, &["bench"], &[], true),
     of("yade", Tool::Cargo, &["bench", "--bench", "yade"], &[], true),
+    of("questions", Tool::Meshcast, QUESTIONS, &[], true),
+    of("pairs", Tool::Meshcast, PAIRS, &[], false),
+    of("estimate", Tool::Meshcast, ESTIMATE, &[], false),
     of("convergence", Tool::Meshcast, &["bench", "--convergence"], &[], false),
     of("size", Tool::Meshcast, &["bench", "--size"], &[], true),
     of("stability", Tool::Cargo, SURVEY, &["scenes", "runs", "bound"], false),

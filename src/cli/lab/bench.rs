@@ -12,6 +12,7 @@ use crate::lab::arrangements::{self, ArrangementTable};
 use crate::lab::bench::{BenchRow, KnownError, Listener, SCENES, Table, table};
 use crate::lab::convergence::{self, Sizes, Tables};
 use crate::lab::estimates::{self, EstimatePlan};
+use crate::lab::questions::{self, LAYOUTS, QuestionPlan, RANDOM};
 use crate::lab::statements::{self, Statements};
 use crate::project::SaveError;
 use crate::show::glyphs::Glyphs;
@@ -50,14 +51,24 @@ pub(crate) struct BenchArgs {
     arrangements: bool,
     /// Error estimates against true errors instead, on scenes drawn by a seed: beaten, median of estimate over
     /// error, said to be decided by a snap, aims missed; steps and time.
-    #[arg(long, conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
+    #[arg(long, group = "drawn", conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
     estimate: bool,
-    /// Scenes of `--estimate`.
-    #[arg(long, value_name = "N", default_value_t = 30, requires = "estimate")]
-    scenes: usize,
-    /// Seed that draws the scenes of `--estimate`.
-    #[arg(long, value_name = "S", default_value_t = 1, requires = "estimate")]
+    /// Whole checks instead: time against error of the mean force, random runs beside placed ones of every
+    /// fidelity, on four layouts and drawn ones.
+    #[arg(long, group = "drawn", conflicts_with_all = ["scene", "convergence", "size", "arrangements"])]
+    questions: bool,
+    /// Standard runs over quick ones instead, pair by pair, on drawn scenes.
+    #[arg(long, group = "drawn", conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
+    pairs: bool,
+    /// Drawn scenes [default: 30; 0 of --questions].
+    #[arg(long, value_name = "N", requires = "drawn")]
+    scenes: Option<usize>,
+    /// Seed that draws the scenes.
+    #[arg(long, value_name = "S", default_value_t = 1, requires = "drawn")]
     seed: u64,
+    /// Seeds that each of `--questions` is asked with.
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "questions")]
+    times: usize,
     /// Only this fidelity in `--estimate`; may be given several times [default: quick, standard, fine].
     #[arg(long, value_name = "FIDELITY", value_parser = one_of(Fidelity::ALL), requires = "estimate")]
     fidelity: Vec<Fidelity>,
@@ -114,6 +125,17 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
     if args.estimate {
         return estimate(args, listener);
     }
+    if args.questions {
+        return questions(args, listener);
+    }
+    if args.pairs {
+        let pairs = questions::pairs(args.scenes(), args.seed, listener)?;
+        let result = match args.format {
+            Format::Text => super::questions::pairs_text(&pairs),
+            Format::Json => whole("bench --pairs", &pairs)?,
+        };
+        return Ok(Output { result, interrupted: pairs.part, ..Output::default() });
+    }
     if args.statements {
         let all = statements::statements(listener)?;
         let result = match args.format {
@@ -124,10 +146,7 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
     }
     let Table { rows, known, part } = table(&names, listener)?;
     if let (Some(path), false) = (&args.svg, part) {
-        create(path, &svg(&rows)).map_err(|e| match e {
-            SaveError::Exists(path) => exists(&path),
-            other => Fault::Failure(other.to_string()),
-        })?;
+        draw(path, &rows, &WORDS)?;
     }
     let result = match args.format {
         Format::Text if rows.is_empty() => String::new(),
@@ -140,10 +159,44 @@ pub(crate) fn run(args: &BenchArgs) -> CommandEnd {
     Ok(Output { result, interrupted: part, ..Output::default() })
 }
 
+/// Draws the plot to a new file.
+fn draw(path: &Path, rows: &[BenchRow], words: &Words) -> Result<(), Fault> {
+    create(path, &svg(rows, words)).map_err(|e| match e {
+        SaveError::Exists(path) => exists(&path),
+        other => Fault::Failure(other.to_string()),
+    })
+}
+
+/// Asks whole questions.
+fn questions(args: &BenchArgs, listener: Listener) -> CommandEnd {
+    let plan =
+        QuestionPlan { times: args.times, scenes: args.scenes.unwrap_or(0), seed: args.seed };
+    let table = questions::questions(&plan, listener)?;
+    let points = super::questions::points(&table);
+    if let (Some(path), false) = (&args.svg, table.part) {
+        draw(path, &points, &QUESTIONS)?;
+    }
+    let result = match args.format {
+        Format::Text => {
+            let plot = plot(&points, &QUESTIONS);
+            format!("{}\n{plot}", super::questions::text(&table))
+        }
+        Format::Json => whole("bench --questions", &table)?,
+    };
+    Ok(Output { result, interrupted: table.part, ..Output::default() })
+}
+
+impl BenchArgs {
+    /// How many scenes are drawn.
+    fn scenes(&self) -> usize {
+        self.scenes.unwrap_or(30)
+    }
+}
+
 /// Surveys the error estimates.
 fn estimate(args: &BenchArgs, listener: Listener) -> CommandEnd {
     let fidelities = if args.fidelity.is_empty() { &Fidelity::USUAL[..] } else { &args.fidelity };
-    let plan = EstimatePlan { scenes: args.scenes, seed: args.seed, fidelities };
+    let plan = EstimatePlan { scenes: args.scenes(), seed: args.seed, fidelities };
     let survey = estimates::survey(&plan, listener)?;
     let result = match args.format {
         Format::Text => super::estimates::text(&survey),
@@ -194,6 +247,45 @@ impl<'a> Made<'a> {
     }
 }
 
+/// What a plot of rows is called.
+struct Words {
+    /// Its scenes.
+    names: &'static [&'static str],
+    title: &'static str,
+    about: &'static str,
+    /// Names of the axes.
+    x: &'static str,
+    y: &'static str,
+    /// What the letters are.
+    legend: &'static str,
+}
+
+const WORDS: Words = Words {
+    names: &SCENES,
+    title: "Run time against error of the check",
+    about: "Worst error in per cent over processor time to the first break in milliseconds, both \
+            logarithmic; a line for each scene, hollow for the plain run.",
+    x: "processor time to the first break, ms",
+    y: "worst error, %",
+    legend: "letters: scenes (' is A'); small letters: the plain run",
+};
+
+/// What the plots of questions are called.
+const QUESTIONS: Words = Words {
+    names: &LAYOUTS,
+    title: "What a mean force costs and how far off it is",
+    about: "Root mean square error of the mean force in per cent over processor time in milliseconds, both \
+            logarithmic; a line for each layout, hollow for random runs.",
+    x: "processor time of a check, ms",
+    y: "rms error of the mean, %",
+    legend: "letters: layouts; small letters: random runs",
+};
+
+/// Whether a row is what the others are held against.
+fn beside(row: &BenchRow) -> bool {
+    ["plain", RANDOM].contains(&row.fidelity.as_str())
+}
+
 /// The worst of the three errors of a row, %.
 fn worst(row: &BenchRow) -> f64 {
     row.force_error.abs().max(row.deflection_error.abs()).max(row.curve_error.abs())
@@ -225,7 +317,7 @@ fn text(rows: &[BenchRow], known: &[KnownError]) -> String {
         );
         let _ = write!(out, "\n{}", wrapped("", &line, 80).join("\n"));
     }
-    let _ = write!(out, "\n\n{}", plot(rows));
+    let _ = write!(out, "\n\n{}", plot(rows, &WORDS));
     out
 }
 
@@ -254,13 +346,13 @@ fn place(row: &BenchRow, times: [f64; 2], errors: [f64; 2]) -> Option<(f64, f64)
     (x.is_finite() && y.is_finite()).then_some((x.clamp(0.0, 1.0), y.clamp(0.0, 1.0)))
 }
 
-/// The sign of a row: its scene's letter, small for the plain run.
+/// The sign of a row: its scene's letter, small for what the others are held against.
 fn sign(row: &BenchRow) -> char {
     let letter = if row.scene == "A'" { '\'' } else { row.scene.chars().next().unwrap_or('?') };
-    if row.fidelity == "plain" { letter.to_ascii_lowercase() } else { letter }
+    if beside(row) { letter.to_ascii_lowercase() } else { letter }
 }
 
-fn plot(rows: &[BenchRow]) -> String {
+fn plot(rows: &[BenchRow], words: &Words) -> String {
     let (times, errors) = ranges(rows);
     let power = |exponent: f64| 10.0_f64.powf(exponent).to_string();
     let ends = (0.0, 1.0);
@@ -276,8 +368,10 @@ fn plot(rows: &[BenchRow]) -> String {
         }
     }
     format!(
-        "worst error, % (logarithmic)\n{}\n          letters: scenes (' is A'); small letters: the plain run\n",
-        plot.picture.lines().join("\n")
+        "{} (logarithmic)\n{}\n          {}\n",
+        words.y,
+        plot.picture.lines().join("\n"),
+        words.legend
     )
 }
 
@@ -287,16 +381,16 @@ const MARGIN: f64 = 60.0;
 const COLOURS: [&str; 4] = ["#1b6ca8", "#c0392b", "#27864a", "#7d3c98"];
 
 /// The plot as SVG, with a line through the fidelities of each scene.
-fn svg(rows: &[BenchRow]) -> String {
+fn svg(rows: &[BenchRow], words: &Words) -> String {
     let (times, errors) = ranges(rows);
     let mut drawing = Drawing::new(PICTURE.0);
-    draw_grid(&mut drawing, times, errors);
-    for (name, colour) in SCENES.iter().zip(COLOURS) {
+    draw_grid(&mut drawing, times, errors, words);
+    for (name, colour) in words.names.iter().zip(COLOURS) {
         let mut through = Vec::new();
         for row in rows.iter().filter(|r| r.scene == *name) {
             let Some((px, py)) = place(row, times, errors) else { continue };
             let (x, y) = on_paper(px, py);
-            let plain = row.fidelity == "plain";
+            let plain = beside(row);
             let fill = if plain { "#fff" } else { colour };
             drawing.circle((x, y), 4.0, fill, Stroke::solid(colour, 1.0));
             let label = format!("{name} {}", row.fidelity);
@@ -307,12 +401,7 @@ fn svg(rows: &[BenchRow]) -> String {
         }
         drawing.line(&through, Stroke::solid(colour, 1.0));
     }
-    drawing.finish(
-        PICTURE.1,
-        "Run time against error of the check",
-        "Worst error in per cent over processor time to the first break in milliseconds, both \
-         logarithmic; a line for each scene, hollow for the plain run.",
-    )
+    drawing.finish(PICTURE.1, words.title, words.about)
 }
 
 /// Size of the words in the picture.
@@ -325,7 +414,7 @@ fn on_paper(x: f64, y: f64) -> (f64, f64) {
 }
 
 /// Lines at the powers of ten, with their numbers and the names of the axes.
-fn draw_grid(drawing: &mut Drawing, times: [f64; 2], errors: [f64; 2]) {
+fn draw_grid(drawing: &mut Drawing, times: [f64; 2], errors: [f64; 2], words: &Words) {
     let thin = Stroke::solid("#ccc", 1.0);
     // Both limits are whole powers of ten, see `ranges`.
     let powers = |[low, high]: [f64; 2]| {
@@ -344,9 +433,8 @@ fn draw_grid(drawing: &mut Drawing, times: [f64; 2], errors: [f64; 2]) {
         drawing.text((x - 6.0, y + 4.0), Anchor::End, SMALL_TEXT, &number);
     }
     let (width, height) = PICTURE;
-    let name = "processor time to the first break, ms";
-    drawing.text((width / 2.0, height - 16.0), Anchor::Middle, SMALL_TEXT, name);
-    drawing.upright((16.0, height / 2.0), SMALL_TEXT, "worst error, %");
+    drawing.text((width / 2.0, height - 16.0), Anchor::Middle, SMALL_TEXT, words.x);
+    drawing.upright((16.0, height / 2.0), SMALL_TEXT, words.y);
 }
 
 /// The convergence tables as a text.
@@ -485,11 +573,11 @@ mod tests {
             row("A", "plain", 1000.0, 10.0),
             row("A", "reference", 100.0, 0.0),
         ];
-        let plotted = plot(&rows);
+        let plotted = plot(&rows, &WORDS);
         assert!(plotted.contains('a') && plotted.lines().all(|l| l.len() <= 80), "{plotted}");
         // Worked by hand: 10 ms of 10 to 1000 and 1 % of 1 to 10 is the lower left corner.
         assert!(plotted.contains("       1 |A"), "{plotted}");
-        let drawn = svg(&rows);
+        let drawn = svg(&rows, &WORDS);
         assert_eq!(drawn.matches("<circle").count(), 2);
         // The same corner on the paper, hollow for the plain run, which is at the other corner.
         assert!(drawn.contains("<circle cx=\"60\" cy=\"360\" r=\"4\" fill=\"#1b6ca8\""), "{drawn}");

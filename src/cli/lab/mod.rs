@@ -8,5 +8,6 @@ pub(crate) mod derive;
 mod draw;
 mod estimates;
 pub(crate) mod held_out;
+mod questions;
 pub(crate) mod reproduce;
 pub(crate) mod validate;
