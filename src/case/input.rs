@@ -65,10 +65,12 @@ impl Input {
     /// What is asked, alone.
     pub(crate) const QUESTION: [Input; 6] = part(6);
 
-    /// What a study varies: the geometry and the laboratory values.
-    pub const VARIED: [Input; 7] = [
+    /// What a study varies: the geometry and the laboratory values. A layout has not all of them, see
+    /// [`Input::varied`].
+    pub const VARIED: [Input; 8] = [
         Input::Plate,
         Input::Spacing,
+        Input::SpacingUp,
         Input::Punch,
         Input::OffsetX,
         Input::OffsetY,
@@ -94,9 +96,22 @@ impl Input {
         }
     }
 
+    /// The paper's symbol in a layout, or its word: `Lx` where the grid has two spacings.
+    pub(crate) fn symbol_in(self, layout: &Layout) -> &'static str {
+        match self {
+            Input::Spacing => layout.words()[0],
+            _ => self.symbol(),
+        }
+    }
+
     /// Whether a layout has it: a grid with one spacing has no second one.
     pub(crate) fn stands_in(self, layout: &Layout) -> bool {
         self != Input::SpacingUp || layout.grid.up.is_some()
+    }
+
+    /// What a study of a layout varies: of [`Input::VARIED`] what it has.
+    pub(crate) fn varied(layout: &Layout) -> impl Iterator<Item = Input> {
+        Input::VARIED.into_iter().filter(|input| input.stands_in(layout))
     }
 
     /// The inputs that a layout has, of those in [`Input::LAYOUT`].

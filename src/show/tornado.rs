@@ -3,6 +3,7 @@
 
 use super::effect::EffectScale;
 use super::glyphs::Glyphs;
+use crate::case::input::LX;
 use crate::case::{Input, input_unit, input_value};
 use crate::study::checks::NoCheck;
 use crate::study::sensitivity::dem::{CheckedSensitivity, CheckedStep};
@@ -13,6 +14,8 @@ use crate::units::Units;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TornadoRow {
     pub(crate) input: Input,
+    /// Its symbol: `Lx` for L where the grid has two spacings.
+    pub(crate) symbol: &'static str,
     /// Between which values it is moved, with their unit.
     pub(crate) range: String,
     pub(crate) forecast: Moves,
@@ -44,8 +47,10 @@ pub(crate) fn tornado(
     scale: &EffectScale,
     unit: Units,
 ) -> Vec<TornadoRow> {
+    let two = s.bars.iter().any(|bar| bar.input == Input::SpacingUp);
     let row = |bar: &Bar| TornadoRow {
         input: bar.input,
+        symbol: if two && bar.input == Input::Spacing { LX } else { bar.input.symbol() },
         range: range(bar, unit),
         forecast: moves([&bar.lowered, &bar.raised].map(|step| by_forecast(step, effect, scale))),
         check: checked

@@ -47,6 +47,51 @@ fn one_spacing_and_two_are_never_given_together() {
 }
 
 #[test]
+fn a_single_block_says_whether_more_cells_would_change_it() {
+    let all = ["check", "-d", "0.2", "-L", "1.0", "-D", "0.3", "--blocks", "single", "--fidelity"];
+    let v = json(&[&all[..], &["quick", "--runs", "1"]].concat());
+    let words = v["arrangement_words"].as_str().unwrap();
+    // As it is in 5 x 5 and 7 x 7 cells: the net comes from farther away.
+    assert!(words.starts_with("single in 7 x 7 cells, not converged, last change"), "{words}");
+    let codes = v["warnings"].as_array().unwrap();
+    assert!(codes.iter().any(|w| w["code"] == "not_converged"), "{codes:?}");
+    let text = good(&[&all[..], &["quick", "--runs", "1"]].concat());
+    assert!(text.contains("not converged"), "{text}");
+}
+
+#[test]
+fn the_second_spacing_is_varied_where_there_is_one() {
+    let grid = ["--Lx", "1.3", "--Ly", "1.6", "-D", "0.4", "-d", "0.25"];
+    let quick = ["--dem", "--fidelity", "quick", "--runs", "2", "--threads", "1"];
+    let v = json(&[&["sensitivity"][..], &grid, &quick].concat());
+    let bars = v["sensitivity"].as_array().unwrap();
+    let words: Vec<&str> = bars.iter().map(|b| b["input"].as_str().unwrap()).collect();
+    assert_eq!(words, ["d", "L", "Ly", "D", "ex", "ey", "Fl", "dl"]);
+    assert_eq!(
+        (bars[2]["low"]["value"].as_f64(), bars[2]["high"]["value"].as_f64()),
+        (Some(1.44), Some(1.76))
+    );
+    // The forecast has no relation for this grid; the check answers at each step.
+    assert!(bars[2]["high"]["F_kN"].is_null());
+    assert!(bars[2]["high"]["check"]["F_kN"].as_f64().unwrap() > 1.0, "{}", bars[2]);
+    let text = good(&[&["sensitivity"][..], &grid, &quick].concat());
+    assert!(text.contains("\nLx ") && text.contains("\nLy "), "{text}");
+    // On a square grid there is none to be moved.
+    let v = json(&["sensitivity"]);
+    assert!(v["sensitivity"].as_array().unwrap().iter().all(|b| b["input"] != "Ly"));
+
+    let line = ["sweep", "--vary", "Ly", "--from", "1.4", "--to", "1.6", "--steps", "2"];
+    let v = json(&[&line[..], &grid, &quick].concat());
+    let points = v["points"].as_array().unwrap();
+    let forces: Vec<f64> = points.iter().map(|p| p["check"]["F_kN"].as_f64().unwrap()).collect();
+    let check =
+        ["check", "--Lx", "1.3", "--Ly", "1.4", "-D", "0.4", "-d", "0.25", "--fidelity", "quick"];
+    let one = json(&[&check[..], &["--runs", "2"]].concat());
+    let expected = one["mean"]["F_kN"].as_f64().unwrap();
+    assert!((forces[0] / expected - 1.0).abs() < 1e-4 && forces[1] != forces[0], "{forces:?}");
+}
+
+#[test]
 fn a_check_of_a_staggered_grid_answers_where_the_forecast_cannot() {
     let grid = ["--Lx", "1.3", "--Ly", "1.6", "--stagger", "--blocks", "worst"];
     let mut all =

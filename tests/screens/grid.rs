@@ -2,6 +2,7 @@
 
 use crate::harness::*;
 use meshcast::app::App;
+use meshcast::case::Input;
 use meshcast::layout::{Grid, Twists};
 
 fn app() -> App {
@@ -42,6 +43,27 @@ fn the_second_spacing_is_a_row_where_there_is_one() {
     assert_eq!(app.layout().layout.sides(), [2.55, 2.55]);
     press(&mut app, "<S-Tab><Del>");
     assert_eq!(app.layout().layout.grid, Grid::SQUARE);
+}
+
+#[test]
+fn studies_vary_the_second_spacing_where_there_is_one() {
+    let mut app = app();
+    let inputs = |app: &App| app.sensitivity().unwrap().forecast.bars.len();
+    press(&mut app, "s");
+    assert_eq!(inputs(&app), 7);
+    press(&mut app, "qPs");
+    assert_eq!(inputs(&app), 8);
+    assert!(text(&app).contains("Lx ") && text(&app).contains("Ly "), "{}", text(&app));
+    // L, then Ly, on the sweep's page; and back.
+    press(&mut app, "qw<Right>");
+    let vary = |app: &App| app.sweep().unwrap().axes[0].input;
+    assert_eq!(vary(&app), Input::SpacingUp);
+    press(&mut app, "<Left>");
+    assert_eq!(vary(&app), Input::Spacing);
+    assert!(text(&app).contains("vary [Lx]"), "{}", text(&app));
+    // On a square grid the arrow goes to D.
+    press(&mut app, "qPP<Right>w<Right>");
+    assert_eq!(vary(&app), Input::Punch);
 }
 
 #[test]

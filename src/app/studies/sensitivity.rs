@@ -4,7 +4,7 @@ use super::super::keymap::{Ask, StudyPage};
 use super::super::work::campaign::Coverage;
 use super::given::Given;
 use super::neighbour;
-use crate::case::{Case, Input};
+use crate::case::Case;
 use crate::study::sensitivity::dem::{self, CheckedSensitivity};
 use crate::study::sensitivity::{Effect, Sensitivity, sensitivity};
 
@@ -77,7 +77,8 @@ impl SensitivityState {
     /// Scrolls the bars.
     pub(super) fn scroll(&mut self, lines: isize) {
         // Two lines an input.
-        let most = 2 * Input::VARIED.len() - 2;
+        let inputs = self.view.as_ref().map_or(0, |view| view.checked.bars.len());
+        let most = (2 * inputs).saturating_sub(2);
         self.scroll = self.scroll.saturating_add_signed(lines).min(most);
     }
 }

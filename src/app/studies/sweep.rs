@@ -96,7 +96,9 @@ impl Default for SweepState {
 fn usual_range(input: Input, case: &Case) -> (f64, f64) {
     match input.row().published {
         Some(range) => (range.min, range.max),
+        None if input == Input::OffsetY => (0.0, case.layout.sides()[1] / 2.0),
         None if input.is_offset() => (0.0, case.layout.spacing / 2.0),
+        None if input == Input::SpacingUp => usual_range(Input::Spacing, case),
         None => (0.7 * input.value(case), 1.3 * input.value(case)),
     }
 }
@@ -275,7 +277,7 @@ impl SweepState {
         let moved = |v: f64| on_grain(v + way * input.step(StepSize::Fine));
         let changed = match slot {
             Slot::Input => {
-                let next = next_input(input, up, inputs.get(1 - axis).copied());
+                let next = next_input(case, input, up, inputs.get(1 - axis).copied());
                 match axis {
                     0 => self.first = next,
                     _ => self.second = Some(next),
@@ -353,9 +355,9 @@ impl SweepState {
     }
 }
 
-/// The input after or before one, round and round; `taken` is passed over.
-fn next_input(input: Input, up: bool, taken: Option<Input>) -> Input {
-    let mut ring: Vec<Input> = Input::VARIED.to_vec();
+/// The input after or before one of those that a layout has, round and round; `taken` is passed over.
+fn next_input(case: &Case, input: Input, up: bool, taken: Option<Input>) -> Input {
+    let mut ring: Vec<Input> = Input::varied(&case.layout).collect();
     if !up {
         ring.reverse();
     }

@@ -61,7 +61,7 @@ pub(crate) fn tornado(page: &mut Page, s: &Studied, checked: &CheckedSensitivity
     };
     for row in tornado::tornado(&s.sensitivity, Some(checked), effect, &scale, page.unit) {
         let Some(check) = &row.check else { continue };
-        let line = format!("{:<9}{} {}", row.input.symbol(), side(&row.forecast), side(check));
+        let line = format!("{:<9}{} {}", row.symbol, side(&row.forecast), side(check));
         page.lines.push(line.trim_end().to_string());
     }
     if let Some(error) = largest_error(checked, effect) {

@@ -95,7 +95,7 @@ fn jobs(s: &Studied) -> Vec<Job> {
     let front = s.name.as_ref().map_or(String::new(), |name| format!("{name:?}, "));
     let named = |(place, case): (usize, Case)| {
         // The case itself, then two for each input that a check knows.
-        let moved = place.checked_sub(1).and_then(|p| Input::VARIED.get(p / 2));
+        let moved = place.checked_sub(1).and_then(|p| Input::varied(&s.case.layout).nth(p / 2));
         let name = match moved {
             Some(input) => format!("{front}{} {}", input.word(), input.text(input.value(&case))),
             None => format!("{front}as it is"),

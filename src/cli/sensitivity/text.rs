@@ -66,7 +66,7 @@ fn tornado(page: &mut Page, s: &Sensitivity, effect: Effect) {
     for row in tornado::tornado(s, None, effect, &scale, page.unit) {
         let [low, high] = row.forecast.texts;
         let drawn = tornado::bars(row.forecast.sizes, most, HALF, Glyphs::Ascii);
-        let line = format!("{:<9}{:<20}{low:>9}{high:>9} {drawn}", row.input.symbol(), row.range);
+        let line = format!("{:<9}{:<20}{low:>9}{high:>9} {drawn}", row.symbol, row.range);
         page.lines.push(line.trim_end().to_string());
     }
 }

@@ -79,14 +79,15 @@ impl CheckedSensitivity {
 }
 
 /// The inputs that a check knows.
-fn checked() -> impl Iterator<Item = Input> {
-    Input::VARIED.into_iter().filter(|input| !input.is_laboratory())
+fn checked(case: &Case) -> impl Iterator<Item = Input> {
+    Input::varied(&case.layout).filter(|input| !input.is_laboratory())
 }
 
-/// The eleven cases to check: the case itself, then for each input that a check knows one step down
+/// The cases to check, eleven on a square grid: the case itself, then for each input that a check knows one step down
 /// and one step up.
 pub(crate) fn cases(case: &Case) -> Vec<Case> {
-    let moved = checked().flat_map(|input| ends(case, input).map(|value| case.with(input, value)));
+    let moved =
+        checked(case).flat_map(|input| ends(case, input).map(|value| case.with(input, value)));
     std::iter::once(case.clone()).chain(moved).collect()
 }
 
@@ -96,8 +97,7 @@ pub(crate) fn assemble(case: &Case, answers: &[CheckAnswer]) -> CheckedSensitivi
     let mut answers = answers.iter().cloned();
     let mut next = || answers.next().unwrap_or(Err(NoCheck::NotMade));
     let base = next();
-    let bars = Input::VARIED
-        .into_iter()
+    let bars = Input::varied(&case.layout)
         .map(|input| {
             let [lowered, raised] = ends(case, input).map(|value| {
                 let answer = if input.is_laboratory() { Err(NoCheck::Laboratory) } else { next() };
@@ -116,6 +116,7 @@ mod tests {
     use super::*;
     use crate::case::example;
     use crate::dem::Flow;
+    use crate::layout::{Grid, Layout};
     use crate::study::checks::checks;
     use crate::study::checks::tests::{SMALL, two};
 
@@ -127,7 +128,7 @@ mod tests {
         let answers = checks(&cases, &two(), 1, &|_| Flow::Continue);
         let s = assemble(&case, &answers);
         assert_eq!(s.base, answers[0]);
-        for (place, input) in checked().enumerate() {
+        for (place, input) in checked(&case).enumerate() {
             let bar = s.bar(input).unwrap();
             let [low, high] = [1 + 2 * place, 2 + 2 * place];
             assert_eq!((&bar.lowered.answer, &bar.raised.answer), (&answers[low], &answers[high]));
@@ -154,5 +155,16 @@ mod tests {
         assert!(part.bars[0].lowered.change.is_some());
         assert_eq!(part.bars[0].raised.answer, Err(NoCheck::NotMade));
         assert_eq!(assemble(&case, &[]).base, Err(NoCheck::NotMade));
+    }
+
+    #[test]
+    fn a_grid_of_two_spacings_has_both_moved() {
+        let grid = Grid { up: Some(1.6), ..SMALL.grid };
+        let case = example(Layout { grid, ..SMALL }, None);
+        let cases = cases(&case);
+        // Itself, and two steps of d, Lx, Ly, D, ex, ey.
+        assert_eq!(cases.len(), 13);
+        assert_eq!([5, 6].map(|k: usize| cases[k].layout.grid.up), [Some(1.44), Some(1.76)]);
+        assert!(assemble(&case, &[]).bar(Input::SpacingUp).is_some());
     }
 }

@@ -1,7 +1,7 @@
 //! Sensitivity: how F_a, delta_a and the utilisation of a case move with each of its inputs, both
 //! ways, by the forecast.
 //!
-//! Step: 10 % of d, L, D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone;
+//! Step: 10 % of d, L (Lx and Ly), D, F_l* and delta_l*, a twentieth of L for ex and ey. Each input moves alone;
 //! with L the offsets stay as they are in metres.
 //!
 //! - [`dem`]: the same by checks.
@@ -32,11 +32,10 @@ pub(crate) fn ends(case: &Case, input: Input) -> [f64; 2] {
     [without_noise(value - step), without_noise(value + step)]
 }
 
-/// The fourteen cases of a sensitivity: for each input in the order of [`Input::VARIED`] one step down,
-/// then one step up.
+/// The cases of a sensitivity, fourteen on a square grid: for each input in the order of [`Input::VARIED`]
+/// one step down, then one step up.
 pub fn cases(case: &Case) -> Vec<Case> {
-    Input::VARIED
-        .into_iter()
+    Input::varied(&case.layout)
         .flat_map(|input| ends(case, input).map(|value| case.with(input, value)))
         .collect()
 }
@@ -149,8 +148,7 @@ pub fn sensitivity(case: &Case) -> Sensitivity {
         let outcome = case.with(input, value).outcome();
         Step { value, change: change(&base, &outcome), outcome }
     };
-    let bars = Input::VARIED
-        .into_iter()
+    let bars = Input::varied(&case.layout)
         .filter(|input| case.get(*input).is_some())
         .map(|input| {
             let [low, high] = ends(case, input);

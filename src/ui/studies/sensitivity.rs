@@ -142,7 +142,7 @@ fn lines(
             Effect::Utilisation => "use",
             Effect::Service => "d_F",
         };
-        let label = format!("{:<9}{range}", row.input.symbol());
+        let label = format!("{:<9}{range}", row.symbol);
         let marks = marks(app, view, row.input);
         lines.push(Line { label, by, moves: row.forecast, ink: Ink::Forecast, marks });
         if let Some(moves) = row.check {

@@ -89,7 +89,7 @@ fn head(
     let mut column = put(buf, row, 0, 0, &format!("{sign}{word:<5}"), theme.text);
     let value = |v: f64| input_value(range.input, v, unit);
     let parts = [
-        (Slot::Input, "", range.input.symbol().to_string()),
+        (Slot::Input, "", range.input.symbol_in(&view.case.layout).to_string()),
         (Slot::From, if narrow { " " } else { "  from " }, value(range.from)),
         (Slot::To, " to ", value(range.to)),
         (Slot::Steps, if narrow { " in " } else { "  in " }, range.steps.to_string()),
@@ -149,7 +149,7 @@ fn line(app: &App, view: &SweepView, area: Rect, buf: &mut Buffer, theme: &Theme
     let ends = seen.iter().map(|y| (*y, *y)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
     let Some((least, most)) = ends else {
         return nothing(
-            "no value anywhere in the range: the punch is on a plate, or sizes make no sense",
+            "no value anywhere in the range; below it is said why at the mark",
             area,
             buf,
             theme,
