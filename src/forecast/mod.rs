@@ -20,6 +20,7 @@ pub mod field;
 pub(crate) mod fingerprint;
 pub mod laboratory;
 pub mod master;
+mod outside;
 pub mod published;
 pub(crate) mod ratios;
 pub(crate) mod warning;
@@ -35,7 +36,7 @@ use field::Branch;
 use master::Master;
 use ratios::Ratios;
 use std::ops::RangeInclusive;
-use warning::{PublishedRange, Warning};
+use warning::{Outside, PublishedRange, Warning};
 
 /// Forces at which punch tests of rockfall meshes break, N: wider than the tests that were published,
 /// to find a record in a wrong unit.
@@ -339,6 +340,9 @@ pub fn forecast(
         Ok(field_values(layout, reference, &eccentricity, rule))
     };
     if let Ok(field) = &field {
+        if mesh.id == mesh::REFERENCE_ID {
+            outside::tell(layout, field, &mut warnings);
+        }
         field_warnings(layout, field, reference, &eccentricity, &mut warnings);
         if field.method.is_some_and(|method| method.mesh == mesh::REFERENCE_ID) && other_wires(mesh)
         {
@@ -444,7 +448,7 @@ fn range_warnings(layout: &Layout, warnings: &mut Vec<Warning>) {
 
 fn push_range(range: PublishedRange, value: f64, warnings: &mut Vec<Warning>) {
     if !range.holds(value) {
-        warnings.push(Warning::Extrapolated { range, value });
+        warnings.push(Warning::Extrapolated { range, value, outside: Outside::Unknown });
     }
 }
 

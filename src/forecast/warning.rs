@@ -47,6 +47,30 @@ impl PublishedRange {
     }
 }
 
+/// What is known of a forecast with a size outside its range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outside {
+    /// Nothing: another mesh, or no value.
+    Unknown,
+    /// That it is farther out than checks were made.
+    TooFar,
+    /// What checks gave.
+    Measured(OutsideRecord),
+}
+
+/// Check over forecast in ranges that are wider by a part: the middle 80 %.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutsideRecord {
+    /// Part by which the ranges of d, L and D were wider, down and up.
+    pub(crate) wider: f64,
+    /// Layouts.
+    pub(crate) layouts: usize,
+    /// 10 and 90 % points of the force's quotients.
+    pub(crate) force: [f64; 2],
+    /// The same of the deflection's.
+    pub(crate) deflection: [f64; 2],
+}
+
 /// One warning of a forecast.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Warning {
@@ -56,6 +80,8 @@ pub enum Warning {
         range: PublishedRange,
         /// The value, m.
         value: f64,
+        /// What is known there.
+        outside: Outside,
     },
     /// The punch overlaps an anchor plate.
     PunchOnPlate {
@@ -207,9 +233,16 @@ impl Warning {
     /// A few words for a narrow panel.
     pub(crate) fn short(&self) -> String {
         match self {
-            Warning::Extrapolated { range, .. } => {
-                format!("{} outside {}", range.symbol, range.text())
-            }
+            Warning::Extrapolated { range, value, outside } => match outside {
+                Outside::Unknown => format!("{} outside {}", range.symbol, range.text()),
+                Outside::TooFar => format!("{} outside {}, far", range.symbol, range.text()),
+                Outside::Measured(OutsideRecord { force: [low, high], .. }) => {
+                    let (sign, end) =
+                        if *value < range.min { ('<', range.min) } else { ('>', range.max) };
+                    let end = shortest(end);
+                    format!("{} {sign} {end} m: check x{low:.2}-{high:.2}", range.symbol)
+                }
+            },
             Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
             Warning::PassesThrough { .. } => "block below the mesh opening".into(),
             Warning::GridWithoutRelation { .. } => "no relation for this grid".into(),
@@ -244,12 +277,24 @@ impl Warning {
         let m = |v: f64| length_text(v, Units::METRES);
         let kn = |v: f64| significant(v / 1000.0, 3);
         match self {
-            Warning::Extrapolated { range, value } => format!(
-                "{} {} = {} m is outside the published range {}; the values are extrapolated",
+            Warning::Extrapolated { range, value, outside } => format!(
+                "{} {} = {} m is outside the published range {}; the values are extrapolated{}",
                 range.words,
                 range.symbol,
                 shortest(*value),
-                range.text()
+                range.text(),
+                match outside {
+                    Outside::Unknown => String::new(),
+                    Outside::TooFar => ", farther than checks were made".into(),
+                    Outside::Measured(OutsideRecord { wider, layouts, force, deflection }) => format!(
+                        ": in ranges wider by {:.0} % checks gave {:.2} to {:.2} of such a force and {:.2} to {:.2} of such a deflection (middle 80 % of {layouts} layouts)",
+                        100.0 * wider,
+                        force[0],
+                        force[1],
+                        deflection[0],
+                        deflection[1]
+                    ),
+                }
             ),
             Warning::PunchOnPlate { distance, radius } => format!(
                 "the block overlaps an anchor plate (its centre is {} from the plate, its radius is {}): outside the method, no field value",

@@ -1,0 +1,135 @@
+//! How far forecasts hold outside the ranges of d, L and D: what checks of random layouts of the reference mesh
+//! gave in wider ranges, by `meshcast held-out --widen`. Its tables stand in tests/bench/METHODS.md.
+
+use super::Field;
+use super::warning::{Outside, OutsideRecord, PLATE, PUNCH, SPACING, Warning};
+use crate::layout::{Blocks, Layout};
+
+/// Which layouts a record is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Like {
+    Centred,
+    Repeated,
+    Mirrored,
+}
+
+/// Check over forecast by the derived and by the published method, F and delta.
+type Row = (f64, Like, usize, [[f64; 2]; 2], [[f64; 2]; 2]);
+
+/// Narrower ranges first.
+#[rustfmt::skip]
+const TABLE: [Row; 5] = [
+    (0.25, Like::Centred, 92, [[0.966, 1.042], [1.001, 1.052]], [[0.850, 1.020], [0.957, 1.052]]),
+    (0.25, Like::Repeated, 68, [[0.890, 1.052], [0.977, 1.074]], [[0.804, 1.181], [0.912, 1.090]]),
+    (0.50, Like::Centred, 53, [[0.972, 1.064], [1.003, 1.072]], [[0.806, 1.004], [0.914, 1.012]]),
+    (0.50, Like::Repeated, 40, [[0.828, 1.062], [0.954, 1.069]], [[0.654, 1.154], [0.884, 1.057]]),
+    (0.50, Like::Mirrored, 17, [[0.823, 1.021], [0.955, 1.050]], [[0.531, 0.892], [0.883, 1.039]]),
+];
+
+/// How far the size of a layout that is farthest out is beyond its range, as a part; 0 inside.
+fn beyond(layout: &Layout) -> f64 {
+    let sizes = [(PLATE, layout.plate), (SPACING, layout.spacing), (PUNCH, layout.punch)];
+    let most = |(range, value): (super::warning::PublishedRange, f64)| {
+        (value / range.max).max(range.min / value) - 1.0
+    };
+    sizes.into_iter().map(most).fold(0.0, f64::max)
+}
+
+/// What is known of a forecast of the reference mesh with these sizes.
+fn known(layout: &Layout, field: &Field) -> Outside {
+    let faces = match field.method {
+        Some(method) => method.blocks == Blocks::Mirrored,
+        // The published method has one value for all arrangements; the check is what differs.
+        None => matches!(layout.blocks, Blocks::Mirrored | Blocks::Worst) && layout.can_face(),
+    };
+    let like = match layout.folded() {
+        (0.0, 0.0) => Like::Centred,
+        _ if faces => Like::Mirrored,
+        _ => Like::Repeated,
+    };
+    let far = beyond(layout);
+    let row = TABLE.iter().find(|(wider, of, ..)| *of == like && far <= wider + 1.0e-9);
+    row.map_or(Outside::TooFar, |(wider, _, layouts, derived, published)| {
+        let [force, deflection] = if field.method.is_some() { *derived } else { *published };
+        Outside::Measured(OutsideRecord { wider: *wider, layouts: *layouts, force, deflection })
+    })
+}
+
+/// Puts what is known into the first of the warnings of a size outside its range: it is of all three together.
+pub(super) fn tell(layout: &Layout, field: &Field, warnings: &mut [Warning]) {
+    let mut of_sizes = warnings.iter_mut().filter_map(|warning| match warning {
+        Warning::Extrapolated { range, outside, .. } => {
+            [PLATE, SPACING, PUNCH].contains(range).then_some(outside)
+        }
+        _ => None,
+    });
+    if let Some(outside) = of_sizes.next() {
+        *outside = known(layout, field);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::forecast::{Forecast, forecast};
+    use crate::layout::{BranchRule, MethodChoice, REFERENCE};
+    use crate::mesh::catalogue;
+
+    fn of(layout: Layout) -> Forecast {
+        forecast(&layout, &catalogue::reference(), BranchRule::Published).unwrap()
+    }
+
+    fn outside(layout: Layout) -> Outside {
+        let found = of(layout).warnings.into_iter().find_map(|w| match w {
+            Warning::Extrapolated { outside, .. } => Some(outside),
+            _ => None,
+        });
+        found.unwrap()
+    }
+
+    /// 10 and 90 % points of the force.
+    fn force(layout: Layout) -> [f64; 2] {
+        let Outside::Measured(record) = outside(layout) else { panic!("{layout:?}") };
+        record.force
+    }
+
+    #[test]
+    fn what_was_measured_is_told_by_method_arrangement_and_distance() {
+        // 5.4 m is 20 % beyond 4.5 m, 6.3 m 40 %, 7 m 56 %; 0.12 m of plate are 33 % below 0.16 m.
+        let derived = Layout { method: MethodChoice::Derived, spacing: 5.4, ..REFERENCE };
+        assert_eq!(force(derived), [0.966, 1.042]);
+        assert_eq!(force(Layout { plate: 0.12, ..derived }), [0.972, 1.064]);
+        assert_eq!(force(Layout { method: MethodChoice::Published, ..derived }), [0.850, 1.020]);
+        assert_eq!(outside(Layout { spacing: 7.0, ..derived }), Outside::TooFar);
+        let off = Layout { ex: 0.9, spacing: 6.3, ..derived };
+        assert_eq!(force(Layout { blocks: Blocks::Repeated, ..off }), [0.828, 1.062]);
+        assert_eq!(force(Layout { blocks: Blocks::Mirrored, ..off }), [0.823, 1.021]);
+        let paper = Layout { method: MethodChoice::Published, ..off };
+        assert_eq!(force(Layout { blocks: Blocks::Paper, ..paper }), [0.654, 1.154]);
+        assert_eq!(force(Layout { blocks: Blocks::Worst, ..paper }), [0.531, 0.892]);
+        // Of facing blocks less far out was not measured by itself: the wider record stands.
+        assert_eq!(force(Layout { blocks: Blocks::Mirrored, spacing: 5.0, ..off }), [0.823, 1.021]);
+    }
+
+    #[test]
+    fn the_warning_has_the_figures_short_and_long() {
+        let layout = Layout { method: MethodChoice::Derived, spacing: 6.3, ..REFERENCE };
+        let warnings = of(layout).warnings;
+        assert_eq!(warnings[0].short(), "L > 4.5 m: check x0.97-1.06");
+        assert!(
+            warnings[0].sentence().ends_with(
+                "the values are extrapolated: in ranges wider by 50 % checks gave 0.97 to 1.06 of such a force and 1.00 to 1.07 of such a deflection (middle 80 % of 53 layouts)"
+            ),
+            "{}",
+            warnings[0].sentence()
+        );
+        let far = of(Layout { spacing: 9.0, ..layout }).warnings[0].clone();
+        assert_eq!(far.short(), "L outside 1.25 to 4.5 m, far");
+        assert!(far.sentence().ends_with("extrapolated, farther than checks were made"));
+        // Of another mesh nothing was measured.
+        let mut other = (*catalogue::reference()).clone();
+        other.id = "other".into();
+        let warnings = forecast(&layout, &other, BranchRule::Published).unwrap().warnings;
+        assert!(warnings.iter().any(|w| w.short() == "L outside 1.25 to 4.5 m"), "{warnings:?}");
+    }
+}
