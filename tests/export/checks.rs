@@ -6,6 +6,7 @@ use meshcast::layout::{Layout, REFERENCE};
 use meshcast::mesh::REFERENCE_ID;
 use meshcast::project::{NamedLayout, Project};
 use meshcast::study::exactness::Exactness;
+use meshcast::study::remark::CheckFlag;
 use meshcast::study::result::Wanted;
 use meshcast::study::result::make::make;
 use meshcast::units::{Units, significant, to_kn};
@@ -53,6 +54,19 @@ fn a_kept_check_is_in_every_export_that_can_show_it() {
     assert_eq!(number, to_kn(result.force.mean));
     assert_eq!((rows[1][column("check_runs")], rows[1][column("check_stale")]), ("2", "false"));
     assert_eq!((rows[2][column("check_F_kN")], rows[2][column("check_stale")]), ("", ""));
+}
+
+#[test]
+fn a_single_block_that_has_not_converged_is_so_in_the_report() {
+    let mut project = checked();
+    let kept = Arc::make_mut(project.layouts[0].check.as_mut().unwrap());
+    kept.flags.push(CheckFlag::from_code("not_converged"));
+    kept.field.arrangement = Some("single in 7 x 7 cells, not converged, last change 8.6 %".into());
+    for kind in [ExportKind::ReportHtml, ExportKind::ReportMarkdown] {
+        let report = text(kind, &project);
+        assert!(report.contains("7 x 7 cells, not converged, last change 8.6 %"), "{report}");
+        assert!(report.contains("in a still larger field"), "{report}");
+    }
 }
 
 #[test]

@@ -10,7 +10,9 @@ use meshcast::curve::Point;
 use meshcast::job::news::{Progress, What};
 use meshcast::job::order::Task;
 use meshcast::job::{News, Ticket};
+use meshcast::layout::Blocks;
 use meshcast::study::exactness::Exactness;
+use meshcast::study::remark::CheckFlag;
 use meshcast::study::result::{Revisions, Wanted};
 use std::sync::{Arc, Mutex};
 
@@ -206,6 +208,32 @@ fn screens_with_a_check_that_is_not_plain() {
     insta::assert_snapshot!("check_stale", styled(&app));
     check(&mut app, "l");
     insta::assert_snapshot!("check_live", styled(&app));
+}
+
+#[test]
+fn a_single_block_that_has_not_converged_says_so_with_its_last_change() {
+    let mut project = small();
+    project.layouts[0].layout.blocks = Blocks::Single;
+    let mesh = project.mesh(&project.layouts[0]).unwrap();
+    let wanted = Wanted { fidelity: Exactness::Quick, runs: None, seed: 0 };
+    let mut made = canned::named("whole", &project.layouts[0].layout, &mesh, &wanted);
+    made.flags.push(CheckFlag::from_code("not_converged"));
+    made.field.arrangement = Some("single in 7 x 7 cells, not converged, last change 8.6 %".into());
+    project.layouts[0].check = Some(made.into());
+    let mut app = start(project, (80, 24), COLOR);
+    assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+    assert!(text(&app).contains("not converged"), "{}", text(&app));
+    press(&mut app, "i");
+    let mut pages = String::new();
+    for _ in 0..8 {
+        pages.push_str(&text(&app));
+        press(&mut app, "<PgDn>");
+    }
+    // As one line, without the breaks of a narrow page.
+    let pages = pages.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(pages.contains("single in 7 x 7 cells, not converged, last change 8.6 %"), "{pages}");
+    assert!(pages.contains("a single block, not converged"), "{pages}");
+    assert!(!pages.contains("8.6 %, the lowest"), "{pages}");
 }
 
 /// The solver itself behind the state: what its results mean, not what they are.
