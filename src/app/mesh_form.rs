@@ -2,6 +2,7 @@
 
 use super::entry::{EditTarget, LineEntry};
 use super::key::Key;
+use crate::mesh::adopted::NamedMethods;
 use crate::mesh::{LabRecord, MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic};
 use crate::units::{Quantity, Units, parse_typed};
 
@@ -110,6 +111,7 @@ impl MeshForm {
             ratios: None,
             wire: None,
             adopted: None,
+            methods: NamedMethods::default(),
         })
     }
 }

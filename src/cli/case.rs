@@ -9,9 +9,10 @@ use super::quantity;
 use crate::case::input::LX;
 use crate::case::{Case, Input};
 use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, REFERENCE, Twists};
+use crate::mesh::adopted::KeptMethod;
 use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
 use crate::problem::Problem;
-use crate::project::{NamedLayout, Project};
+use crate::project::{NamedLayout, Project, method_files};
 use crate::study::result::CheckResult;
 use crate::study::verdict::Basis;
 use crate::units::Units;
@@ -108,6 +109,9 @@ pub(crate) struct Geometry {
     /// Relations of the forecast: the paper's, or those derived from simulations of the blocks as they stand.
     #[arg(long, value_name = "METHOD", value_parser = one_of(MethodChoice::ALL))]
     method: Option<MethodChoice>,
+    /// A method that `derive` or a campaign wrote, for --method derived; again for other blocks.
+    #[arg(long, value_name = "FILE")]
+    method_file: Vec<PathBuf>,
     /// Mesh, by its identifier; `meshcast mesh list` names those of the catalogue.
     #[arg(long, value_name = "ID")]
     mesh: Option<String>,
@@ -156,6 +160,28 @@ impl Geometry {
         }
         entry.set(Input::Spacing, Some(across));
         Ok(())
+    }
+}
+
+impl Geometry {
+    /// A mesh with the methods of the files that are given, before those that it has.
+    fn with_methods(&self, mesh: Arc<MeshType>) -> Result<Arc<MeshType>, Fault> {
+        if self.method_file.is_empty() {
+            return Ok(mesh);
+        }
+        let mut mesh = (*mesh).clone();
+        for file in self.method_file.iter().rev() {
+            let method = method_files::read(file).and_then(|method| {
+                method_files::fits(&method, Some(&mesh))?;
+                Ok(method)
+            });
+            let method = method.map_err(|why| {
+                let shown = format!("{:?}", file.display().to_string());
+                Fault::input(Problem::new("--method-file", why).value(shown).to_string())
+            })?;
+            mesh.methods.0.insert(0, KeptMethod::keep(method));
+        }
+        Ok(Arc::new(mesh))
     }
 }
 
@@ -249,6 +275,10 @@ impl Inputs {
         let Some(mesh) = find(&entry.mesh) else {
             return Err(Fault::input(unknown_mesh("--mesh", &entry.mesh, known)));
         };
+        let mesh = self.geometry.with_methods(mesh)?;
+        if !self.geometry.method_file.is_empty() && self.geometry.method.is_none() {
+            entry.layout.method = MethodChoice::Derived;
+        }
         match entry.check() {
             Ok(()) => Ok(NamedCase { case: entry.case(mesh), name, check: entry.check }),
             Err(found) => Err(self.placed(found, name.as_deref())),

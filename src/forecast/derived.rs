@@ -81,7 +81,10 @@ struct Relations {
 impl Relations {
     fn of(mesh: &MeshType, of: Arranged) -> Relations {
         let adopted = mesh.adopted.as_ref();
-        let own = |blocks| adopted.and_then(|adopted| adopted.method(blocks));
+        let own = |blocks| {
+            let named = mesh.methods.method(blocks);
+            named.or_else(|| adopted.and_then(|adopted| adopted.method(blocks)))
+        };
         let wanted = match of {
             Arranged::Repeated => Blocks::Repeated,
             Arranged::Mirrored => Blocks::Mirrored,

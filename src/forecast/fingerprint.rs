@@ -4,7 +4,7 @@ use super::design::Question;
 use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::layout::{BranchRule, Layout, MethodChoice, Twists};
 use crate::mesh::MeshType;
-use crate::mesh::adopted::Adopted;
+use crate::mesh::adopted::{Adopted, KeptMethod};
 use crate::words::Choice;
 
 /// Fingerprint of all that decides a forecast: layout, branch rule, and of the mesh what the closed form
@@ -40,6 +40,7 @@ pub(crate) fn of_inputs(layout: &Layout, mesh: &MeshType, rule: BranchRule) -> F
         .given("alpha_F", own.map(|r| r.force))
         .given("alpha_delta", own.map(|r| r.deflection))
         .given("adopted", mesh.adopted.as_ref().filter(|_| derived).map(adopted))
+        .given("methods", Some(&mesh.methods.0).filter(|all| derived && !all.is_empty()).map(named))
         .finish()
 }
 
@@ -48,6 +49,12 @@ fn adopted(adopted: &Adopted) -> String {
     // Plain data of finite numbers can always be written.
     let text = serde_json::to_string(adopted).unwrap_or_default();
     Fingerprinter::new("adopted").text(&text).finish().to_string()
+}
+
+/// Print of methods that are named by file.
+fn named(methods: &Vec<KeptMethod>) -> String {
+    let text = serde_json::to_string(methods).unwrap_or_default();
+    Fingerprinter::new("methods").text(&text).finish().to_string()
 }
 
 /// Fingerprint of a forecast, given by its own, with what is asked of it: of a study's answer, which

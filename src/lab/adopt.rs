@@ -9,7 +9,7 @@ use super::derive::derive;
 use super::fit::data::MeshData;
 use super::fit::posterior::Identified;
 use crate::dem::Flow;
-use crate::mesh::adopted::{Adopted, AdoptedQuality, KeptMethod};
+use crate::mesh::adopted::{Adopted, AdoptedQuality, KeptMethod, NamedMethods};
 use crate::mesh::wire::WireData;
 use crate::mesh::{LabRecord, MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic};
 use crate::study::ensemble::EnsembleProgress;
@@ -88,6 +88,7 @@ pub(crate) fn mesh(
         ratios: None,
         wire: Some(wire),
         adopted: Some(Adopted { quality: quality(data), low, middle, high, methods }),
+        methods: NamedMethods::default(),
     }
 }
 

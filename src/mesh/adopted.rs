@@ -86,6 +86,21 @@ impl KeptMethod {
     }
 }
 
+/// Methods that a project names by file, of one mesh.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct NamedMethods(pub(crate) Vec<KeptMethod>);
+
+impl NamedMethods {
+    /// The one for an arrangement.
+    pub(crate) fn method(&self, blocks: Blocks) -> Option<&'static DerivedMethod> {
+        of_blocks(&self.0, blocks)
+    }
+}
+
+fn of_blocks(list: &[KeptMethod], blocks: Blocks) -> Option<&'static DerivedMethod> {
+    list.iter().map(|kept| kept.0).find(|method| method.blocks == blocks)
+}
+
 /// A method's file on one line. Within another file it stands as this text: it is made and read by programs, and
 /// whoever wants to see it has `meshcast derive`.
 fn text(method: &DerivedMethod) -> Option<String> {
@@ -109,7 +124,7 @@ impl<'de> Deserialize<'de> for KeptMethod {
 impl Adopted {
     /// The method of its own for an arrangement.
     pub(crate) fn method(&self, blocks: Blocks) -> Option<&'static DerivedMethod> {
-        self.methods.iter().map(|kept| kept.0).find(|method| method.blocks == blocks)
+        of_blocks(&self.methods, blocks)
     }
 
     /// Coefficient of variation of a force over the laws that fit.

@@ -54,6 +54,9 @@ pub struct MeshType {
     /// What `meshcast adopt` found, where the mesh was adopted from its own tests.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adopted: Option<adopted::Adopted>,
+    /// Methods that the project names by file; they go before those of an adopted mesh.
+    #[serde(skip)]
+    pub methods: adopted::NamedMethods,
 }
 
 /// Result of a laboratory punch test.

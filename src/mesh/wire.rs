@@ -1,5 +1,6 @@
 //! The net's geometry and the tensile curves of its wires: what the discrete element check needs.
 
+use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::problem::Problem;
 use crate::units::shortest;
 use serde::{Deserialize, Serialize};
@@ -100,6 +101,14 @@ impl NetGeometry {
 }
 
 impl WireData {
+    /// Print of the net and its wires; where they come from is none of it.
+    pub(crate) fn print(&self) -> Fingerprint {
+        let plain = WireData { source: String::new(), ..self.clone() };
+        // Plain data of finite numbers can always be written.
+        let text = serde_json::to_string(&plain).unwrap_or_default();
+        Fingerprinter::new("wires").text(&text).finish()
+    }
+
     /// Checks every value against its range.
     ///
     /// # Errors

@@ -3,7 +3,9 @@
 use super::error::Found;
 use super::kept::{self, Kept};
 use super::read::soft::{Refused, Soft};
-use super::schema::{CURRENT_VERSION, Display, MeshUse, NamedLayout, Project, TitleBlock};
+use super::schema::{
+    CURRENT_VERSION, Display, MeshUse, MethodFile, NamedLayout, Project, TitleBlock,
+};
 use super::text::{Node, NodeKind, Shape};
 use super::{read, words};
 use crate::case::Input;
@@ -21,8 +23,20 @@ use std::sync::Arc;
 
 /// Fields of a project, in the order in which they are written.
 pub(crate) const PROJECT_FIELDS: &[&str] = &[
-    "version", "name", "site", "client", "author", "checker", "revision", "date", "notes", "basis",
-    "meshes", "layouts", "display",
+    "version",
+    "name",
+    "site",
+    "client",
+    "author",
+    "checker",
+    "revision",
+    "date",
+    "notes",
+    "basis",
+    "method_files",
+    "meshes",
+    "layouts",
+    "display",
 ];
 /// Fields of a layout, in the order in which they are written.
 pub(crate) const LAYOUT_FIELDS: &[&str] = &[
@@ -70,6 +84,7 @@ pub(super) struct ProjectFile {
     date: Soft<String>,
     notes: Soft<String>,
     basis: Soft<Basis>,
+    method_files: Soft<Vec<Soft<String>>>,
     meshes: Soft<Vec<Soft<MeshUse>>>,
     layouts: Soft<Vec<Soft<LayoutFile>>>,
     display: Soft<DisplayFile>,
@@ -191,6 +206,8 @@ impl ProjectFile {
     fn made(self, problems: &mut Vec<Problem>) -> Result<Project, Refused> {
         self.version.needed()?;
         let meshes = self.meshes.get()?.unwrap_or_default();
+        let files = self.method_files.get()?.unwrap_or_default().into_iter();
+        let files: Vec<String> = files.map(Soft::needed).collect::<Result<_, _>>()?;
         let mut units = Units::default();
         if let Some(display) = self.display.get()? {
             units.length = display.length_unit.get()?.unwrap_or_default();
@@ -209,6 +226,7 @@ impl ProjectFile {
             },
             notes: self.notes.get()?.unwrap_or_default(),
             basis: self.basis.get()?.unwrap_or_default(),
+            method_files: files.into_iter().map(|file| MethodFile { file, method: None }).collect(),
             meshes: meshes.into_iter().map(Soft::needed).collect::<Result<_, _>>()?,
             layouts: Vec::new(),
             display: Display { units },

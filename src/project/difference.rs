@@ -42,13 +42,25 @@ fn words<const N: usize>(fields: [(bool, &str); N]) -> impl Iterator<Item = Stri
 
 fn project_fields(from: &Project, to: &Project) -> Vec<String> {
     // Layouts are told one by one.
-    let Project { version: _, name, site, title, notes, basis, meshes, layouts: _, display } = from;
+    let Project {
+        version: _,
+        name,
+        site,
+        title,
+        notes,
+        basis,
+        method_files,
+        meshes,
+        layouts: _,
+        display,
+    } = from;
     let fields = words([
         (*name != to.name, "name"),
         (*site != to.site, "site"),
         (*title != to.title, "head of the report"),
         (*notes != to.notes, "notes"),
         (*basis != to.basis, "basis of verdicts"),
+        (*method_files != to.method_files, "files of methods"),
         (*meshes != to.meshes, "meshes"),
         (*display != to.display, "units shown"),
     ]);

@@ -2,6 +2,7 @@
 
 use super::error::{Cause, LoadError};
 use super::load::{Parsed, decode_utf8, parse_text, read_bytes};
+use super::method_files;
 use super::patch;
 use super::patch::Rendered;
 use super::schema::Project;
@@ -46,7 +47,8 @@ pub fn load(path: &Path) -> Result<Opened, LoadError> {
     let shown = path.display().to_string();
     let bytes = read_bytes(path)?;
     let text = decode_utf8(bytes, &shown)?;
-    let parsed = parse_text(&text, &shown)?;
+    let mut parsed = parse_text(&text, &shown)?;
+    method_files::resolve(&mut parsed.project, path)?;
     Ok(Document::opened(Some(path.to_path_buf()), Some(text), parsed))
 }
 
@@ -65,6 +67,7 @@ pub(crate) fn load_stream(source: impl std::io::Read, shown: &str) -> Result<Ope
 /// All that is wrong, as a message that fits one screen.
 pub fn parse(text: &str, file_name: &str) -> Result<Opened, LoadError> {
     let parsed = parse_text(text, file_name)?;
+    method_files::nowhere(&parsed.project, file_name)?;
     Ok(Document::opened(None, None, parsed))
 }
 

@@ -25,6 +25,7 @@ mod hold;
 pub(crate) mod home;
 mod kept;
 mod load;
+pub(crate) mod method_files;
 mod migrate;
 mod patch;
 mod read;

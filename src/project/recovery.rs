@@ -14,6 +14,7 @@ use super::draft::{Draft, Place};
 use super::error::LoadError;
 use super::home::Home;
 use super::load;
+use super::method_files;
 use super::save::resolve;
 use super::schema::Project;
 use std::fs::{self, File, TryLockError};
@@ -145,6 +146,10 @@ impl Document {
     pub fn recover(&self, recovery: &Recovery) -> Result<Project, LoadError> {
         let parsed = load::parse_text(&recovery.text, &recovery.path.display().to_string())?;
         let mut project = parsed.project;
+        match self.path() {
+            Some(path) => method_files::resolve(&mut project, path)?,
+            None => method_files::nowhere(&project, "")?,
+        }
         // Layouts that are still in the file keep their comments: they are found by name, since
         // the text does not know which is which.
         for layout in &mut project.layouts {

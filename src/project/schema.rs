@@ -2,6 +2,7 @@
 
 use crate::case::{Case, Input, Question};
 use crate::layout::{self, BranchRule, Layout};
+use crate::mesh::adopted::{KeptMethod, NamedMethods};
 use crate::mesh::{self, MeshType, catalogue};
 use crate::problem::Problem;
 use crate::study::result::CheckResult;
@@ -28,12 +29,30 @@ pub struct Project {
     pub notes: String,
     /// Which value of a capacity verdicts go by. Left out in a file: the mean.
     pub basis: Basis,
+    /// Methods of forecasts in files of their own.
+    pub method_files: Vec<MethodFile>,
     /// The mesh types it uses. Empty stands for the reference mesh alone.
     pub meshes: Vec<MeshUse>,
     /// Its layouts, in the order of the list on the screen; names are unique.
     pub layouts: Vec<NamedLayout>,
     /// How it is shown.
     pub display: Display,
+}
+
+/// A method's file as a project names it, and what is in it.
+#[derive(Debug, Clone)]
+pub struct MethodFile {
+    /// Its path, from the project's folder, as it stands in the project.
+    pub file: String,
+    /// The method, once the file has been read.
+    pub(crate) method: Option<KeptMethod>,
+}
+
+/// Two are the same that are named alike: a project is the same before and after its methods are read.
+impl PartialEq for MethodFile {
+    fn eq(&self, other: &MethodFile) -> bool {
+        self.file == other.file
+    }
 }
 
 /// What the head of a report says besides the project's name and site; each may be empty. The date is a
@@ -211,6 +230,7 @@ impl Project {
             title: TitleBlock::default(),
             notes: String::new(),
             basis: Basis::Characteristic,
+            method_files: Vec::new(),
             meshes: vec![MeshUse::Catalogue(mesh::REFERENCE_ID.to_string())],
             layouts: vec![NamedLayout::new("reference", layout::NEW, mesh::REFERENCE_ID)],
             display: Display::default(),
@@ -233,7 +253,13 @@ impl Project {
             MeshUse::Inline(mesh) if mesh.id == id => Some(mesh.clone()),
             _ => None,
         });
-        inline.or_else(|| catalogue::find(id))
+        let mesh = inline.or_else(|| catalogue::find(id))?;
+        let named = self.method_files.iter().filter_map(|file| file.method);
+        let named: Vec<KeptMethod> = named.filter(|kept| kept.0.mesh == id).collect();
+        if named.is_empty() {
+            return Some(mesh);
+        }
+        Some(Arc::new(MeshType { methods: NamedMethods(named), ..(*mesh).clone() }))
     }
 
     /// A layout as a case.

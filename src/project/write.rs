@@ -2,7 +2,7 @@
 
 use super::decode::LAYOUT_FIELDS;
 use super::kept;
-use super::schema::{MeshUse, NamedLayout, Project};
+use super::schema::{MeshUse, MethodFile, NamedLayout, Project};
 use super::text::scalar::quoted;
 use crate::case::Input;
 use crate::case::input::{LX, Missing};
@@ -128,6 +128,12 @@ pub fn new_project(name: &str) -> String {
     project(&Project::starter(name)).expect("a starter has no mesh and no check of its own")
 }
 
+/// The methods that a project names by file.
+pub(super) fn method_files(files: &[MethodFile]) -> String {
+    let quoted: Vec<String> = files.iter().map(|named| quoted(&named.file, false)).collect();
+    format!("[{}]", quoted.join(", "))
+}
+
 /// A project in the clean form.
 ///
 /// # Errors
@@ -145,6 +151,9 @@ pub fn project(p: &Project) -> Result<String, Unwritable> {
     let _ = writeln!(out, "    notes: {},", quoted(&p.notes, true));
     out.push_str(BASIS_HELP);
     let _ = writeln!(out, "    basis: {},", p.basis.word());
+    if !p.method_files.is_empty() {
+        let _ = writeln!(out, "    method_files: {},", method_files(&p.method_files));
+    }
     out.push_str(
         "    // Mesh types: catalogue identifiers (meshcast mesh list) or meshes written out.\n",
     );
@@ -300,6 +309,17 @@ pub(crate) fn method_text(method: &DerivedMethod) -> Option<String> {
 mod tests {
     use super::*;
     use crate::method::canned;
+
+    #[test]
+    fn methods_that_are_named_by_file_are_written_and_read() {
+        let mut p = Project::starter("p");
+        p.method_files = vec![MethodFile { file: "a \"b\"/m.ron".into(), method: None }];
+        let text = project(&p).unwrap();
+        let parsed = super::super::load::parse_text(&text, "").unwrap();
+        assert_eq!(parsed.project, p);
+        // A text that stands in no file has no folder to look in.
+        assert!(super::super::parse(&text, "p.ron").is_err());
+    }
 
     #[test]
     fn a_method_comes_back_from_its_file_to_the_last_bit() {

@@ -31,7 +31,7 @@ const ROOMS: &[(&str, &[&[&str]])] = &[
     ("words", &[]),
     ("remark", &[]),
     ("layout", &[&["problem", "units", "words"]]),
-    ("mesh", &[&["layout", "method", "problem", "units", "words"]]),
+    ("mesh", &[&["fingerprint", "layout", "method", "problem", "units", "words"]]),
     ("method", &[&["layout", "units", "words"]]),
     ("forecast", &[GROUND]),
     ("dem", &[GROUND]),

@@ -211,3 +211,68 @@ fn the_papers_figures_and_tables_are_made_with_their_pictures() {
     let picture = fs::read_to_string(folder.path().join("fig7a.svg")).unwrap();
     roxmltree::Document::parse(&picture).unwrap();
 }
+
+/// The shipped method of repeated blocks with another alpha_F: 0.4 for 0.37196.
+fn other_method() -> String {
+    let text = include_str!("../../assets/methods/dt-8x10-2.7-repeated.ron");
+    let other =
+        text.replace("force: 0.37196,", "force: 0.4,").replace("2.7 repeated\"", "2.7 of ours\"");
+    assert_ne!(other, text);
+    other
+}
+
+#[test]
+fn a_project_names_a_method_by_file_and_so_does_a_flag() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("c")).unwrap();
+    fs::write(folder.path().join("c/method.ron"), other_method()).unwrap();
+    let project = |named: &str| {
+        let path = folder.path().join("p.ron");
+        let text = format!(
+            r#"(version: 2, name: "p", method_files: [{named}], layouts: [(name: "a", d: 0.32, L: 3.0, D: 1.0, blocks: repeated, method: "derived")])"#
+        );
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let field = |arguments: &[&str]| {
+        let v: serde_json::Value =
+            serde_json::from_str(&good(&[arguments, &["--format", "json"]].concat())).unwrap();
+        v["field"].clone()
+    };
+    let force = |v: &serde_json::Value| v["F_kN"].as_f64().unwrap();
+    let path = project("");
+    let shipped = field(&["forecast", &path, "--layout", "a"]);
+    let path = project(r#""c/method.ron""#);
+    let named = field(&["forecast", &path, "--layout", "a"]);
+    assert_eq!(named["method"]["name"], "dt-8x10-2.7 of ours");
+    // Nothing else was changed.
+    assert!((force(&named) / force(&shipped) - 0.4 / 0.37196).abs() < 1e-9, "{named}");
+    let file = folder.path().join("c/method.ron");
+    let flag = ["forecast", "--blocks", "repeated", "--method-file", file.to_str().unwrap()];
+    assert_eq!(force(&field(&flag)), force(&named));
+    let report = good(&["report", &path, "--format", "md"]);
+    assert!(report.contains("of ours") && report.contains("c/method.ron"), "{report}");
+
+    // What it cannot go by it refuses, and says which and why.
+    let refused = |named: &str| {
+        let path = project(named);
+        let ran = run(&["forecast", &path]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{}", ran.err);
+        ran.err
+    };
+    assert!(refused(r#""c/other.ron""#).contains("there is no such file"));
+    assert!(refused(r#""c""#).contains("directory"));
+    fs::write(folder.path().join("c/deep.ron"), "(".repeat(100_000)).unwrap();
+    assert!(refused(r#""c/deep.ron""#).contains("no method"));
+    let wires = other_method().replace("wires: \"", "wires: \"0");
+    fs::write(folder.path().join("c/wires.ron"), wires).unwrap();
+    assert!(refused(r#""c/wires.ron""#).contains("other wires"));
+    let mesh = other_method().replace("mesh: \"dt-8x10-2.7\"", "mesh: \"elsewhere\"");
+    fs::write(folder.path().join("c/mesh.ron"), mesh).unwrap();
+    assert!(refused(r#""c/mesh.ron""#).contains("elsewhere"));
+    let said = refused(r#""c/method.ron", "c/method.ron""#);
+    assert!(said.contains("method_files[1]") && said.contains("same mesh"), "{said}");
+    let ran =
+        run(&["forecast", "--method-file", folder.path().join("c/wires.ron").to_str().unwrap()]);
+    assert!(ran.code == 2 && ran.err.contains("--method-file"), "{}", ran.err);
+}

@@ -5,6 +5,7 @@ use crate::export::ExportedLayout;
 use crate::forecast::eccentricity::published;
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
 use crate::method::DerivedMethod;
+use crate::project::schema::MethodFile;
 use crate::units::{shortest, significant};
 
 /// The equations, in the order in which they are used.
@@ -50,7 +51,11 @@ pub(crate) fn equations(document: &mut ReportDocument) {
 }
 
 /// The derived methods that some of these layouts take; nothing where none does.
-pub(crate) fn derived(cases: &[ExportedLayout], document: &mut ReportDocument) {
+pub(crate) fn derived(
+    cases: &[ExportedLayout],
+    files: &[MethodFile],
+    document: &mut ReportDocument,
+) {
     let mut methods: Vec<&DerivedMethod> = Vec::new();
     for field in cases.iter().filter_map(|case| case.forecast().field.as_ref().ok()) {
         let Some(method) = field.method else { continue };
@@ -66,8 +71,10 @@ pub(crate) fn derived(cases: &[ExportedLayout], document: &mut ReportDocument) {
         let [a, b, c] = method.master.cubic;
         let [plate, spacing, punch] =
             method.ranges.map(|[from, to]| format!("{} to {} m", shortest(from), shortest(to)));
+        let named = files.iter().find(|f| f.method.is_some_and(|kept| kept.0 == *method));
+        let from = named.map_or(String::new(), |f| format!(" (file {:?})", f.file));
         ours(&format!(
-            "{}: {} of {} runs of random layouts ({}, {}), {{d}} {plate}, {{L}} {spacing}, {{D}} {punch}; {{alpha_F}} = {}, {{alpha_delta}} = {}; size relations: {}; offset: a sum of cosines of {} runs; {{y}} = {} {{x}}³ {} {{x}}² {} {{x}}.",
+            "{}{from}: {} of {} runs of random layouts ({}, {}), {{d}} {plate}, {{L}} {spacing}, {{D}} {punch}; {{alpha_F}} = {}, {{alpha_delta}} = {}; size relations: {}; offset: a sum of cosines of {} runs; {{y}} = {} {{x}}³ {} {{x}}² {} {{x}}.",
             method.name,
             method.runs.used,
             method.runs.asked,

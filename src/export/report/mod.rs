@@ -76,7 +76,7 @@ impl Report<'_> {
         front::inputs(self, &mut document);
         front::meshes(self, &mut document);
         method::equations(&mut document);
-        method::derived(self.cases, &mut document);
+        method::derived(self.cases, &self.project.method_files, &mut document);
         if !self.cases.is_empty() {
             document.chapter("Layouts, step by step");
         }

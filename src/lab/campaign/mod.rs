@@ -18,7 +18,6 @@ pub(crate) mod row;
 
 use crate::dem::hash::{hash, uniform};
 use crate::dem::{Arrangement, Fidelity, SceneSpec, Test};
-use crate::fingerprint::{Fingerprint, Fingerprinter};
 use crate::forecast::warning::{PLATE, PUNCH, SPACING};
 use crate::layout::{Blocks, Layout, REFERENCE};
 use crate::mesh::wire::WireData;
@@ -101,7 +100,7 @@ impl Header {
         Header {
             campaign: FORM,
             mesh: mesh.to_string(),
-            wires: print(wire).to_string(),
+            wires: wire.print().to_string(),
             revisions: Revisions::CURRENT.to_string(),
             plan: plan.clone(),
         }
@@ -130,14 +129,6 @@ impl Header {
             .collect();
         (!said.is_empty()).then(|| said.join(", "))
     }
-}
-
-/// Print of a net and its wires; where they come from is none of it.
-pub(crate) fn print(wire: &WireData) -> Fingerprint {
-    let plain = WireData { source: String::new(), ..wire.clone() };
-    // Plain data of finite numbers can always be written.
-    let text = serde_json::to_string(&plain).unwrap_or_default();
-    Fingerprinter::new("wires").text(&text).finish()
 }
 
 /// What run k is.
@@ -266,7 +257,7 @@ mod tests {
     fn the_shipped_methods_are_of_the_wires_of_the_catalogue() {
         // A change of the wires makes every run another one: the campaigns have to be run again.
         let mesh = catalogue::reference();
-        let now = print(mesh.wire.as_ref().unwrap()).to_string();
+        let now = mesh.wire.as_ref().unwrap().print().to_string();
         for of in [Arranged::Repeated, Arranged::Mirrored] {
             let method = shipped(of);
             assert_eq!(

@@ -148,6 +148,13 @@ pub(crate) fn patch(text: &str, tree: &Tree, base: &Project, new: &Project) -> O
     if base.basis != new.basis {
         fields.change("basis", FieldChange::Set(new.basis.word().to_string()));
     }
+    if base.method_files != new.method_files {
+        let change = match &new.method_files[..] {
+            [] => FieldChange::Unset,
+            files => FieldChange::Set(write::method_files(files)),
+        };
+        fields.change("method_files", change);
+    }
     if base.display != new.display {
         let units = new.display.units;
         let whole = format!("({})", write::display(units));

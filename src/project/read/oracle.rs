@@ -13,6 +13,7 @@
 
 use super::values;
 use crate::mesh::MeshType;
+use crate::mesh::adopted::NamedMethods;
 use crate::mesh::wire::{CurvePoint, Distortion, NetGeometry, Slack, WireData};
 use crate::mesh::{LabRecord, RatioRecord, Statistic};
 use crate::project::decode::ProjectFile;
@@ -246,6 +247,7 @@ fn meshes() -> impl Strategy<Value = MeshType> {
                 }),
                 wire,
                 adopted: None,
+                methods: NamedMethods::default(),
             }
         },
     )

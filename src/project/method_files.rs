@@ -1,0 +1,92 @@
+//! The methods that a project names by file: `method_files: ["campaign/method.ron"]`, made by a campaign on
+//! the screen or by `meshcast derive`. Paths are from the project's own folder.
+
+use super::error::{Cause, FileFault, LoadError};
+use super::load::{LARGEST_FILE, decode_utf8, load_table};
+use super::schema::Project;
+use super::text::parser;
+use crate::mesh::MeshType;
+use crate::mesh::adopted::KeptMethod;
+use crate::method::DerivedMethod;
+use crate::problem::Problem;
+use std::path::Path;
+
+/// Reads a method's file by the door of all files, and says what is wrong with it.
+///
+/// # Errors
+/// A sentence.
+pub(crate) fn read(path: &Path) -> Result<DerivedMethod, String> {
+    let said = |error: LoadError| {
+        let first = error.faults.into_iter().next();
+        first.map_or_else(|| "it cannot be read".into(), |fault| fault.problem.message)
+    };
+    let bytes = load_table(path, LARGEST_FILE).map_err(said)?;
+    let text = decode_utf8(bytes, "").map_err(said)?;
+    // In bounds first: the reader of values has none for depth.
+    parser::parse(&text).map_err(|_| "it is no method: derive writes one".to_string())?;
+    DerivedMethod::from_ron(&text).map_err(|why| format!("it is no method: {why}"))
+}
+
+/// Whether a mesh can go by a method: it has the net and the wires of the simulations.
+///
+/// # Errors
+/// A sentence.
+pub(crate) fn fits(method: &DerivedMethod, mesh: Option<&MeshType>) -> Result<(), String> {
+    let mesh = mesh
+        .filter(|mesh| mesh.id == method.mesh)
+        .ok_or_else(|| format!("it is of the mesh {:?}, which is not here", method.mesh))?;
+    match mesh.wire.as_ref() {
+        Some(wire) if wire.print().to_string() == method.wires => Ok(()),
+        Some(_) => Err(format!(
+            "its simulations are of another net or other wires than those of {:?}: make its campaign again",
+            method.mesh
+        )),
+        None => Err(format!("{:?} has no net and wires to go by", method.mesh)),
+    }
+}
+
+/// Reads the methods of a project that stands in a file.
+///
+/// # Errors
+/// The first that cannot be read or does not fit.
+pub(super) fn resolve(project: &mut Project, of: &Path) -> Result<(), LoadError> {
+    let folder = of.parent().unwrap_or(Path::new(""));
+    let mut seen: Vec<(String, crate::layout::Blocks)> = Vec::new();
+    for index in 0..project.method_files.len() {
+        let file = project.method_files[index].file.clone();
+        let found = read(&folder.join(&file)).and_then(|method| {
+            fits(&method, project.find_mesh(&method.mesh).as_deref())?;
+            let key = (method.mesh.clone(), method.blocks);
+            if seen.contains(&key) {
+                return Err("another one is of the same mesh and arrangement".into());
+            }
+            seen.push(key);
+            Ok(method)
+        });
+        match found {
+            Ok(method) => project.method_files[index].method = Some(KeptMethod::keep(method)),
+            Err(why) => return Err(refused(of, index, &file, &why)),
+        }
+    }
+    Ok(())
+}
+
+/// That methods cannot be looked for.
+pub(super) fn nowhere(project: &Project, shown: &str) -> Result<(), LoadError> {
+    match project.method_files.first() {
+        None => Ok(()),
+        Some(first) => {
+            let why =
+                "methods are looked for beside the project's file, and this one stands in none";
+            Err(refused(Path::new(shown), 0, &first.file, why))
+        }
+    }
+}
+
+fn refused(of: &Path, index: usize, file: &str, why: &str) -> LoadError {
+    let problem = Problem::new(format!("method_files[{index}]"), why)
+        .value(format!("{file:?}"))
+        .advice("name another one or take it out; paths are from the project's folder");
+    let fault = FileFault { problem, ..FileFault::whole("", String::new()) };
+    LoadError::new(&of.display().to_string(), Cause::BadInput, vec![fault])
+}
