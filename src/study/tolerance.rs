@@ -62,6 +62,10 @@ pub(crate) fn tolerance(
     basis: Basis,
 ) -> Result<Tolerance, Vec<Problem>> {
     let value = input.value(case);
+    if !value.is_finite() {
+        let problem = Problem::new(input.word(), "this layout has no such value to be off");
+        return Err(vec![problem]);
+    }
     let [from, to] = [value - off, value + off].map(without_noise);
     if !(off > 0.0 && off.is_finite()) {
         let problem = Problem::new("off", "a tolerance is above 0").value(input.text(off));

@@ -24,6 +24,8 @@ pub struct ToleranceView {
 pub(crate) struct ToleranceState {
     /// The chosen input, by its place among those that vary.
     chosen: usize,
+    /// Whether the layout has a second spacing.
+    two: bool,
     /// What was typed, m or N.
     typed: HashMap<Input, f64>,
     view: Option<ToleranceView>,
@@ -42,8 +44,13 @@ impl ToleranceState {
     /// Makes what the page shows anew. Where nothing was typed an input is off by its step in a sensitivity.
     pub(super) fn follow(&mut self, given: &Given) {
         let basis = given.editor.project().basis;
+        let case = given.case();
+        self.two = case.as_ref().is_some_and(|case| Input::SpacingUp.stands_in(&case.layout));
+        if !self.two && self.input() == Input::SpacingUp {
+            self.step(-1);
+        }
         let input = self.input();
-        self.view = given.case().filter(|case| case.get(input).is_some()).map(|case| {
+        self.view = case.filter(|case| case.get(input).is_some()).map(|case| {
             let off = self.typed.get(&input).copied().unwrap_or_else(|| step(&case, input));
             ToleranceView { found: tolerance(&case, input, off, basis), input }
         });
@@ -63,6 +70,10 @@ impl ToleranceState {
         let count = Input::VARIED.len();
         let by = by.clamp(-(count as isize), count as isize);
         self.chosen = (self.chosen + count).saturating_add_signed(by) % count;
+        if !self.two && self.input() == Input::SpacingUp {
+            let on = if by < 0 { count - 1 } else { 1 };
+            self.chosen = (self.chosen + on) % count;
+        }
     }
 
     /// Takes how far the input may be off.

@@ -25,7 +25,8 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
         true => format!("[{}]", input.symbol()),
         false => input.symbol().to_string(),
     };
-    let inputs: Vec<String> = Input::VARIED.iter().map(mark).collect();
+    let inputs: Vec<String> =
+        Input::varied(&app.layout().layout).map(|input| mark(&input)).collect();
     heading(buf, area, &format!("tolerance of {name}"), &inputs.join(" "), theme);
     let found = match &view.found {
         Ok(found) => found,
