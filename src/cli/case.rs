@@ -10,7 +10,7 @@ use crate::case::input::LX;
 use crate::case::{Case, Input};
 use crate::layout::{Blocks, BranchRule, MethodChoice, PunchShape, REFERENCE, Twists};
 use crate::mesh::adopted::KeptMethod;
-use crate::mesh::{MeshType, REFERENCE_ID, catalogue};
+use crate::mesh::{MeshType, REFERENCE_ID, catalogue, strength};
 use crate::problem::Problem;
 use crate::project::{NamedLayout, Project, method_files};
 use crate::study::result::CheckResult;
@@ -325,6 +325,10 @@ fn ids(meshes: &[Arc<MeshType>]) -> Vec<String> {
 
 /// What to say to a mesh that nobody knows; `place` is the flag or argument.
 pub(crate) fn unknown_mesh(place: &str, id: &str, known: &[String]) -> String {
+    if let Some(record) = strength::find(id) {
+        let problem = record.problem();
+        return format!("{place}: {id}: {}; {}", problem.message, problem.advice);
+    }
     let words: Vec<&str> = known.iter().map(String::as_str).collect();
     unknown(place, "there is no mesh of this identifier", id, &words)
 }

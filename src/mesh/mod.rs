@@ -4,17 +4,19 @@
 //! - [`MeshType`] and its parts: this file.
 //! - [`adopted`]: what a mesh carries that was adopted from its own tests.
 //! - [`catalogue`]: the mesh types shipped in `assets/meshes.ron`.
+//! - [`strength`]: meshes of which only the strength of the net is published.
 //! - [`laws`]: wire laws with a name, for comparing solvers and for starting a calibration.
 //! - [`wire`]: the net's geometry and the stress-strain curves of its wires.
 
 pub mod adopted;
 pub mod catalogue;
 pub mod laws;
+pub(crate) mod strength;
 pub mod wire;
 
 use crate::problem::Problem;
 use crate::units::{self, shortest, to_kn};
-use crate::words::shown;
+use crate::words::{Choice, shown};
 use serde::{Deserialize, Serialize};
 
 /// Identifier of the reference mesh, the one the paper's relations were made with.
@@ -70,7 +72,7 @@ pub struct LabRecord {
     /// are forces and no curve.
     #[serde(with = "units::file::maybe_length", default, skip_serializing_if = "Option::is_none")]
     pub deflection: Option<f64>,
-    /// Whether the two values are means or characteristic values.
+    /// Whether the two values are means, characteristic or least values.
     pub statistic: Statistic,
     /// Side of the square test panel, m; the standard one is 3.0 m.
     #[serde(with = "units::file::length", default = "standard_panel")]
@@ -81,11 +83,14 @@ pub struct LabRecord {
     /// Standard the test followed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub standard: String,
+    /// When the document of the values appeared: a year, or a day as 2021-05-31.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub date: String,
     /// Where the values were published.
     pub source: String,
 }
 
-/// Whether laboratory values are means of a series or characteristic values.
+/// Whether laboratory values are means of a series, characteristic or least values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Statistic {
     /// Mean of a series, or a single (simulated) test.
@@ -94,22 +99,31 @@ pub enum Statistic {
     /// Characteristic value (a low fractile), as a product standard declares it.
     #[serde(alias = "characteristic")]
     Characteristic,
+    /// Least value that every piece must reach, as a product standard demands it.
+    Minimum,
+}
+
+impl Choice for Statistic {
+    const ALL: &'static [Statistic] =
+        &[Statistic::Mean, Statistic::Characteristic, Statistic::Minimum];
+
+    /// The word for people: `mean`, `characteristic` or `minimum`.
+    fn word(self) -> &'static str {
+        match self {
+            Statistic::Mean => "mean",
+            Statistic::Characteristic => "characteristic",
+            Statistic::Minimum => "minimum",
+        }
+    }
 }
 
 impl Statistic {
-    /// A short word for a narrow column: `mean` or `char`.
+    /// A short word for a narrow column: `mean`, `char` or `min`.
     pub(crate) fn short(self) -> &'static str {
         match self {
             Statistic::Mean => "mean",
             Statistic::Characteristic => "char",
-        }
-    }
-
-    /// The word for people: `mean` or `characteristic`.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Statistic::Mean => "mean",
-            Statistic::Characteristic => "characteristic",
+            Statistic::Minimum => "min",
         }
     }
 }
@@ -144,6 +158,16 @@ pub(crate) const LARGEST_DEFLECTION: f64 = 10.0;
 const LARGEST_PANEL: f64 = 20.0;
 
 impl LabRecord {
+    /// Whether another record is of another standard: both name some, and none is the same.
+    pub(crate) fn of_another_standard(&self, other: &LabRecord) -> bool {
+        let names = |record: &LabRecord| -> Vec<String> {
+            let parts = record.standard.split([',', ';']).map(|part| part.trim().to_lowercase());
+            parts.filter(|part| !part.is_empty()).collect()
+        };
+        let (ours, theirs) = (names(self), names(other));
+        !ours.is_empty() && !theirs.is_empty() && !ours.iter().any(|name| theirs.contains(name))
+    }
+
     /// What is wrong with its punch, if it is not the standard one.
     pub(crate) fn punch_problem(&self) -> Option<Problem> {
         (self.punch != STANDARD_PUNCH).then(|| {
@@ -179,6 +203,7 @@ impl MeshType {
         let texts = [
             ("name", &self.name),
             ("laboratory.standard", &lab.standard),
+            ("laboratory.date", &lab.date),
             ("laboratory.source", &lab.source),
         ];
         problems

@@ -191,5 +191,9 @@ mod tests {
         assert!((reference.node_mass - 0.004_340).abs() < 2e-6, "{}", reference.node_mass);
         let fine = NetGeometry::of_double_twist(0.06, 0.03, 0.0022);
         assert!((fine.node_mass - 0.002_161).abs() < 2e-6 && fine.node_radius == 0.0088);
+        // 10x12 of 3.9 mm: 7850 x 11.9459e-6 x (0.05 + 0.070711) = 11.320 g.
+        let coarse = NetGeometry::of_double_twist(0.1, 0.05, 0.0039);
+        assert!((coarse.node_mass - 0.011_320).abs() < 2e-6, "{}", coarse.node_mass);
+        assert!((coarse.node_radius - 0.0156).abs() < 1e-12);
     }
 }

@@ -4,7 +4,7 @@ use super::schema::{
     LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout, Project,
 };
 use crate::case::Input;
-use crate::mesh::catalogue;
+use crate::mesh::{catalogue, strength};
 use crate::problem::Problem;
 use crate::words::shown;
 use std::collections::HashMap;
@@ -49,6 +49,9 @@ impl Project {
                 );
             }
             match mesh {
+                MeshUse::Catalogue(id) if strength::find(id).is_some() => {
+                    problems.extend(strength::find(id).map(|record| record.problem().under(&path)));
+                }
                 MeshUse::Catalogue(id) if catalogue::find(id).is_none() => {
                     problems.push(
                         Problem::new(&path, "the catalogue has no mesh of this identifier")

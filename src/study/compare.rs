@@ -213,13 +213,27 @@ fn governing(rows: &[CompareRow]) -> Option<Governing> {
     weakest.map(|(row, _)| Governing { row, by: None })
 }
 
-/// What is to be known where the records of some meshes are means and those of others characteristic
-/// values.
+/// What is to be known where the records of some meshes are of another kind than those of others, means beside
+/// characteristic values, or of another standard.
 pub(crate) fn mixed<'m>(mut meshes: impl Iterator<Item = &'m MeshType>) -> Option<&'static str> {
-    let first = meshes.next()?.laboratory.statistic;
-    meshes.any(|mesh| mesh.laboratory.statistic != first).then_some(
-        "mean and characteristic laboratory values stand side by side: the forces of the layouts are not of one kind and not to be compared",
-    )
+    let first = &meshes.next()?.laboratory;
+    let (mut kinds, mut standards) = (false, false);
+    for record in meshes.map(|mesh| &mesh.laboratory) {
+        kinds |= record.statistic != first.statistic;
+        standards |= record.of_another_standard(first);
+    }
+    match (kinds, standards) {
+        (true, true) => Some(
+            "laboratory values of different kinds (mean, characteristic, minimum) and of different standards stand side by side: the forces of the layouts are not to be compared",
+        ),
+        (true, false) => Some(
+            "mean and characteristic laboratory values stand side by side: the forces of the layouts are not of one kind and not to be compared",
+        ),
+        (false, true) => Some(
+            "laboratory values of different standards stand side by side: tests that are not alike; the forces of the layouts are not to be compared",
+        ),
+        (false, false) => None,
+    }
 }
 
 impl Comparison {
@@ -311,7 +325,23 @@ mod tests {
         let mut cases = [case(REFERENCE, None), case(REFERENCE, None)];
         let record = &mut std::sync::Arc::make_mut(&mut cases[1].mesh).laboratory;
         record.statistic = crate::mesh::Statistic::Characteristic;
-        assert!(all(["a", "b"].map(String::from).into_iter().zip(cases)).mixed().is_some());
+        let said =
+            |cases: [Case; 2]| all(["a", "b"].map(String::from).into_iter().zip(cases)).mixed();
+        assert!(said(cases.clone()).unwrap().contains("mean and characteristic"));
+        // The catalogue's record names three standards; one of them is enough, and none said is not another.
+        for (standard, words) in
+            [("iso 17746", None), ("", None), ("ASTM A975", Some("of different standards stand"))]
+        {
+            let record = &mut std::sync::Arc::make_mut(&mut cases[1].mesh).laboratory;
+            record.statistic = crate::mesh::Statistic::Mean;
+            record.standard = standard.into();
+            let found = said(cases.clone());
+            assert_eq!(found.is_some(), words.is_some(), "{standard}");
+            assert!(words.is_none_or(|words| found.unwrap().contains(words)), "{found:?}");
+        }
+        let record = &mut std::sync::Arc::make_mut(&mut cases[1].mesh).laboratory;
+        record.statistic = crate::mesh::Statistic::Minimum;
+        assert!(said(cases).unwrap().contains("different kinds"));
     }
 
     #[test]

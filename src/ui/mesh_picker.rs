@@ -6,6 +6,7 @@ use super::text::{clear, heading, spot};
 use super::theme::Theme;
 use crate::app::App;
 use crate::units::{force_text, length_text, maybe_length_text};
+use crate::words::Choice;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 

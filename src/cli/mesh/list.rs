@@ -1,17 +1,18 @@
 //! `meshcast mesh list`.
 
-use super::show::object;
+use super::show::{object, strength_object};
 use crate::cli::output::{CommandEnd, Format, json, result};
-use crate::mesh::catalogue;
+use crate::mesh::{catalogue, strength};
 use crate::show::value::Value;
-use crate::units::{Units, force_text, maybe_length_text};
+use crate::units::{Units, force_text, maybe_length_text, shortest};
 use std::fmt::Write;
 
 /// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
 pub(crate) fn run(format: Format) -> CommandEnd {
     let meshes = catalogue::all();
     if format == Format::Json {
-        let all: Value = meshes.iter().map(|m| object(m)).collect();
+        let records = strength::all().iter().map(strength_object);
+        let all: Value = meshes.iter().map(|m| object(m)).chain(records).collect();
         return result(json(&all)? + "\n");
     }
     let widest = |text: fn(&crate::mesh::MeshType) -> &str, least: usize| {
@@ -48,6 +49,18 @@ pub(crate) fn run(format: Format) -> CommandEnd {
         );
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{}", line.trim_end());
+    }
+    out.push_str("\nstrength of the net alone, no forecast (mesh show ID says what is missing):\n");
+    for record in strength::all() {
+        let _ = writeln!(
+            out,
+            "{:<20}  {:>5} kN/m  {:<4}  {} {}",
+            record.id,
+            shortest(record.along),
+            record.kind.short(),
+            record.standard,
+            record.date
+        );
     }
     result(out)
 }

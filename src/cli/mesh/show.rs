@@ -3,14 +3,22 @@
 use crate::cli::case::unknown_mesh;
 use crate::cli::output::{CommandEnd, Fault, Format, json, result, wrapped};
 use crate::forecast::ratios;
+use crate::mesh::strength::StrengthRecord;
 use crate::mesh::wire::{CurvePoint, Slack, WireData};
-use crate::mesh::{MeshType, catalogue};
+use crate::mesh::{MeshType, catalogue, strength};
 use crate::show::objects::pair;
 use crate::show::value::{Object, Value, exact};
 use crate::units::{Units, length_entry, shortest, to_kn};
+use crate::words::Choice;
 
 /// Everything of one mesh.
 pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
+    if let Some(record) = strength::find(id) {
+        return match format {
+            Format::Json => result(json(&strength_object(record))? + "\n"),
+            Format::Text => result(strength_text(record)),
+        };
+    }
     let Some(mesh) = catalogue::find(id) else {
         let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
         return Err(Fault::input(unknown_mesh("ID", id, &known)));
@@ -47,6 +55,7 @@ fn text(mesh: &MeshType) -> String {
     line("panel", &metres(lab.panel));
     line("punch", &metres(lab.punch));
     line("standard", if lab.standard.is_empty() { "not stated" } else { &lab.standard });
+    line("date", if lab.date.is_empty() { "not stated" } else { &lab.date });
     line("source", &lab.source);
     let used = ratios::of_mesh(mesh);
     let ratios = format!("alpha_F {:.4}, alpha_delta {:.4}", used.force, used.deflection);
@@ -63,6 +72,46 @@ fn text(mesh: &MeshType) -> String {
         None => line("net and wire", "not stated: forecast only, no check"),
     }
     lines.join("\n") + "\n"
+}
+
+/// A mesh of which only the strength is known.
+fn strength_text(record: &StrengthRecord) -> String {
+    let mut lines = Vec::new();
+    let mut line = |head: &str, text: &str| {
+        lines.extend(wrapped(&format!("{head:<16}"), text, 80));
+    };
+    let mm = |v: f64| format!("{} mm", length_entry(v, Units::MILLIMETRES));
+    line("id", &record.id);
+    line("name", &record.name);
+    line("net", &format!("opening {}, wire {}", mm(record.opening), mm(record.diameter)));
+    let across = record.across.map_or("not stated".into(), |v| format!("{} kN/m", shortest(v)));
+    let kind = record.kind.word();
+    line(
+        "strength",
+        &format!("{} kN/m along the twists, {across} across ({kind})", shortest(record.along)),
+    );
+    line("standard", &record.standard);
+    line("date", &record.date);
+    line("source", &record.source);
+    let problem = record.problem();
+    line("MISSING", &format!("{}; {}; {}", problem.message, record.missing, problem.advice));
+    lines.join("\n") + "\n"
+}
+
+/// The same as JSON.
+pub(super) fn strength_object(record: &StrengthRecord) -> Object {
+    Object::new()
+        .with("id", record.id.clone())
+        .with("name", record.name.clone())
+        .with("opening_m", Value::Exact(record.opening))
+        .with("diameter_m", Value::Exact(record.diameter))
+        .with("strength_along_kN_per_m", Value::Exact(record.along))
+        .with("strength_across_kN_per_m", record.across.map(Value::Exact))
+        .with("kind", record.kind.word())
+        .with("standard", record.standard.clone())
+        .with("date", record.date.clone())
+        .with("source", record.source.clone())
+        .with("missing", format!("{}; {}", record.problem().advice, record.missing))
 }
 
 fn wire_text(wire: &WireData, line: &mut impl FnMut(&str, &str)) {
@@ -121,6 +170,7 @@ pub(super) fn object(mesh: &MeshType) -> Object {
         .with("panel_m", lab.panel)
         .with("punch_m", lab.punch)
         .with("standard", lab.standard.clone())
+        .with("date", lab.date.clone())
         .with("source", lab.source.clone());
     let used = ratios::of_mesh(mesh);
     let ratios = Object::new()

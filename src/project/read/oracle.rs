@@ -237,6 +237,7 @@ fn meshes() -> impl Strategy<Value = MeshType> {
                     statistic: if mean { Statistic::Mean } else { Statistic::Characteristic },
                     panel: 3.0,
                     punch: deflection / 7.0,
+                    date: standard.clone(),
                     standard,
                     source,
                 },

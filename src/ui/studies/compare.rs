@@ -196,7 +196,7 @@ fn table(
     let more = if hidden > 0 { format!(" {hidden} more ") } else { String::new() };
     let room = usize::from(area.width.saturating_sub(width(&more) + 1));
     let mixed =
-        if view.comparison.mixed().is_some() { "! mean beside characteristic; " } else { "" };
+        if view.comparison.mixed().is_some() { "! not of one kind or standard; " } else { "" };
     put(
         buf,
         foot,
