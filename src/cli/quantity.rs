@@ -34,6 +34,22 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
     above_zero(read(text, Quantity::Length, allowed)?, allowed, 100.0)
 }
 
+/// Width and length, m.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Sides(pub(crate) [f64; 2]);
+
+/// Width and length with a comma between them.
+pub(crate) fn sides(text: &str) -> Result<Sides, String> {
+    let [width, height] = parts(text, "width, length, such as 1,1")?;
+    Ok(Sides([length(width)?, length(height)?]))
+}
+
+/// Several values with commas between them.
+pub(crate) fn parts<'a, const N: usize>(text: &'a str, what: &str) -> Result<[&'a str; N], String> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    parts.try_into().map_err(|_| format!("{N} values with commas between them: {what}"))
+}
+
 /// A length of 0 or more, up to 10 m.
 pub(crate) fn distance(text: &str) -> Result<f64, String> {
     read(text, Quantity::Length, "from 0, up to 10 m")

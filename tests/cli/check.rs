@@ -1,7 +1,7 @@
 //! `meshcast check`: shape of the result, plain runs, threads, Ctrl+C, mesh files. Quick fidelity and
 //! small panels, so that all of it takes seconds.
 
-use super::{PROJECT, command, file, ran, refused, run, shown};
+use super::{PROJECT, command, file, good, json, ran, refused, run, shown};
 use serde_json::{Map, Value};
 
 /// A small anchored panel that runs in some milliseconds.
@@ -339,4 +339,28 @@ fn a_project_s_check_of_another_solver_stands_beside_the_new_one() {
     // The same solver in truth: nothing has moved beyond the rounding of what is kept.
     assert!(before["change_F"].as_f64().unwrap().abs() < 1e-4, "{before}");
     assert!(said.contains("by solver 1, sampling 1, quick; now F"), "{said}");
+}
+
+/// By hand, for the bench law, whose slack is the same in all bonds: a wire of 56.57 mm is taut at 58.27 mm and breaks
+/// at 14.115 % more, 66.49 mm, where it carries 565.85 MPa x 5.7256 mm2 = 3239.8 N; it reaches 40 mm across, so
+/// 53.11 mm along the pull; two of them for each 80 mm of width carry 5175.9 N, less than the 6480 N of a twist.
+#[test]
+fn a_net_that_is_pulled_breaks_at_the_strength_that_statics_gives() {
+    let arguments =
+        ["check", "--pull", "along", "--piece", "0.8,0.8", "--law", "bench", "--runs", "1"];
+    let pulled = json(&arguments);
+    let strength = pulled["strength_kN_per_m"].as_f64().unwrap();
+    assert!((strength / (5.1759 / 0.08) - 1.0).abs() < 0.005, "{strength}");
+    assert_eq!(pulled["pulls"][0]["twist_broke"].as_bool(), Some(false));
+    // Random slack makes it weaker; across the twists a net has about half of that.
+    let of = |way: &str| {
+        let pulled = json(&["check", "--pull", way, "--piece", "0.8,0.8", "--runs", "2"]);
+        pulled["strength_kN_per_m"].as_f64().unwrap()
+    };
+    let (along, across) = (of("along"), of("across"));
+    assert!(across > 0.25 * along && across < 0.75 * along, "{along} {across}");
+    let said = good(&["check", "--pull", "across", "--piece", "0.5,0.5", "--runs", "1"]);
+    assert!(said.contains("STRENGTH") && said.contains("kN/m at"), "{said}");
+    let e = refused(&["check", "--pull", "along", "--piece", "0.1,1"]);
+    assert!(e.contains("--piece") && e.contains("0.2 to 10 m"), "{e}");
 }

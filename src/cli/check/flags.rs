@@ -7,6 +7,7 @@ use crate::cli::output::{Fault, TableFormat};
 use crate::cli::quantity;
 use crate::cli::verdict::VerdictFlags;
 use crate::dem::fast::Path as Instructions;
+use crate::dem::tensile::Pull;
 use crate::dem::{Controls, Test};
 use crate::study::ensemble::Plan;
 use crate::study::exactness::Exactness;
@@ -53,6 +54,12 @@ pub(crate) struct CheckArgs {
     /// Which punch test: the periodic cell held by plates, or the panel held along its edges.
     #[arg(long, value_name = "TEST", default_value = "anchored", value_parser = one_of(Test::ALL), help_heading = "Test")]
     pub(super) test: Test,
+    /// Pulls a piece of the net instead until it breaks, along or across its twists: strength and elongation.
+    #[arg(long, value_name = "WAY", value_parser = one_of(Pull::ALL), conflicts_with_all = ["project", "test"], help_heading = "Test")]
+    pub(super) pull: Option<Pull>,
+    /// Width and length of the piece of --pull.
+    #[arg(long, value_name = "WIDTH,LENGTH", value_parser = quantity::sides, default_value = "1,1", requires = "pull", help_heading = "Test")]
+    pub(super) piece: quantity::Sides,
     /// Net and wires instead of the mesh's own, see below.
     #[arg(long, value_name = "FILE", help_heading = "Test")]
     pub(super) mesh_file: Option<PathBuf>,

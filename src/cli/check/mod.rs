@@ -8,6 +8,7 @@ mod chart;
 mod csv;
 mod flags;
 mod json;
+mod pull;
 mod remarks;
 mod text;
 
@@ -170,6 +171,9 @@ struct Ready {
 
 /// Runs the checks and writes the result in the form asked for.
 pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
+    if let Some(pull) = args.pull {
+        return pull::run(args, pull);
+    }
     let mut units = ui.units_over(crate::units::Units::default());
     let inputs = Inputs::of_check(args.geometry.clone(), args.question.clone());
     let mut basis = Basis::default();
