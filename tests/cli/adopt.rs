@@ -1,40 +1,67 @@
 //! A mesh adopted from its own test: in the project, with forecasts and verdicts of its own.
 
-use super::{good, refused, run, shown};
+use super::{command, good, refused, run, shown};
 use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// A made-up double-twist mesh 6x8 of 2.2 mm wire on a small panel, so that it is soon done.
+const EXAMPLE: [&str; 18] = [
+    "--name",
+    "Example 6x8, 2.2",
+    "--force",
+    "20",
+    "--deflection",
+    "0.32",
+    "--panel",
+    "1.6",
+    "--punch",
+    "0.5",
+    "--opening",
+    "0.06",
+    "--diameter",
+    "0.0022",
+    "--example",
+    "--runs",
+    "60",
+    "--threads",
+];
+
+fn example<'a>(project: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["adopt", project], &EXAMPLE[..], &["2"], more].concat()
+}
+
+const PROJECT: &str = "// my site\n(version: 2, name: \"site\", meshes: [\"dt-8x10-2.7\"], layouts: [\n    \
+    (name: \"old\", d: 0.3, L: 3, D: 1), // stays\n])\n";
+
+/// Starts it and kills it when the file has so many lines.
+fn killed(arguments: &[&str], file: &Path, lines: usize) {
+    let mut child = command(arguments).stderr(Stdio::null()).spawn().unwrap();
+    let begun = Instant::now();
+    let there = || fs::read(file).map_or(0, |text| text.iter().filter(|b| **b == b'\n').count());
+    while there() < lines {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before {lines} lines");
+        assert!(begun.elapsed() < Duration::from_secs(600), "{} of {lines} lines", there());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+/// Cuts so many bytes off the end of a file, as a crash of the machine may.
+fn torn(file: &Path, bytes: usize) {
+    let text = fs::read(file).unwrap();
+    fs::write(file, &text[..text.len() - bytes]).unwrap();
+}
 
 #[test]
 fn an_example_mesh_is_adopted_into_a_project_that_needs_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("site.ron");
-    let project = "// my site\n(version: 2, name: \"site\", meshes: [\"dt-8x10-2.7\"], layouts: [\n    \
-        (name: \"old\", d: 0.3, L: 3, D: 1), // stays\n])\n";
-    fs::write(&path, project).unwrap();
+    fs::write(&path, PROJECT).unwrap();
     let file = shown(&path);
-    // A made-up double-twist mesh 6x8 of 2.2 mm wire on a small panel, so that it is soon done.
-    let arguments = [
-        "adopt",
-        file,
-        "--name",
-        "Example 6x8, 2.2",
-        "--force",
-        "20",
-        "--deflection",
-        "0.32",
-        "--panel",
-        "1.6",
-        "--punch",
-        "0.5",
-        "--opening",
-        "0.06",
-        "--diameter",
-        "0.0022",
-        "--example",
-        "--runs",
-        "60",
-        "--threads",
-        "2",
-    ];
+    let arguments = example(file, &[]);
     let ran = run(&arguments);
     assert_eq!(ran.code, 0, "{}", ran.err);
     assert!(ran.out.contains("one test and prior") && ran.out.contains("alpha_F"), "{}", ran.out);
@@ -51,6 +78,34 @@ fn an_example_mesh_is_adopted_into_a_project_that_needs_nothing_else() {
     let again = refused(&arguments);
     assert!(again.contains("has a mesh \"example-6x8-2.2\" already"), "{again}");
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
+    let left: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(left, ["site.ron"], "what was kept on the way is gone");
+
+    // Killed among the laws and among the runs, and with torn ends, it comes to the same bytes.
+    let other = folder.path().join("other");
+    fs::create_dir(&other).unwrap();
+    let again = other.join("site.ron");
+    fs::write(&again, PROJECT).unwrap();
+    let on_the_way = other.join("site.adopt-example-6x8-2.2");
+    let (laws, runs) =
+        (on_the_way.join("laws.txt"), on_the_way.join("repeated").join("campaign.jsonl"));
+    killed(&example(shown(&again), &[]), &laws, 12);
+    let e = refused(&example(shown(&again), &[]));
+    assert!(e.contains("--resume goes on with it") || e.contains("give --resume"), "{e}");
+    torn(&laws, 7);
+    let resumed = example(shown(&again), &["--resume"]);
+    killed(&resumed, &runs, 20);
+    torn(&runs, 30);
+    assert_eq!(fs::read_to_string(&again).unwrap(), PROJECT, "nothing is written before the end");
+    // Other values are not mixed with what is there.
+    let mut others = resumed.clone();
+    others[5] = "21";
+    assert!(refused(&others).contains("begun with other values"));
+    let ran = run(&resumed);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(fs::read_to_string(&again).unwrap() == text, "other bytes");
+    assert!(!on_the_way.exists());
 
     // A layout takes it; a copy elsewhere, without any catalogue of its user, says the same.
     let layout = "(name: \"new\", d: 0.3, L: 3, D: 1, ex: 0.4, ey: 0.5, mesh: \"example-6x8-2.2\", \
@@ -83,4 +138,21 @@ fn what_cannot_be_adopted_is_said_before_anything_is_computed() {
     let e = with(&["--name", "m", "--panel", "0.9"]);
     assert!(e.contains("--punch") && e.contains("below the panel"), "{e}");
     assert!(!path.exists());
+}
+
+/// As wide as the terminal, and no line that ends in the middle of it.
+#[test]
+fn the_help_is_wrapped_at_any_width() {
+    for columns in [80, 100] {
+        let mut help = command(&["adopt", "--help"]);
+        let text = help.env("COLUMNS", columns.to_string()).output().unwrap().stdout;
+        let text = String::from_utf8(text).unwrap();
+        assert!(text.lines().all(|line| line.chars().count() <= columns), "{columns}: {text}");
+        let last = text.trim_end().rsplit("\n\n").next().unwrap();
+        let lines: Vec<&str> = last.lines().collect();
+        assert!(lines.len() > 2 && last.contains("--resume goes on with it"), "{columns}: {last}");
+        for line in &lines[..lines.len() - 1] {
+            assert!(line.chars().count() + 20 > columns, "{columns}: {line}");
+        }
+    }
 }

@@ -105,3 +105,37 @@ fn bad_laboratory_data_are_refused_in_clear_words() {
     let e = refused(&["calibrate", "--curve", shown(&path)]);
     assert!(e.contains("no text in UTF-8"), "{e}");
 }
+
+/// Each range is meant to hold what its law does with 90 %. If it did with 60 % only, four of five would be
+/// inside in a third of all cases (5 x 0.6^4 x 0.4 + 0.6^5 = 0.34), five of five in one of thirteen; so four are
+/// weak evidence and a fall below that is strong. The hundred draws of the page of measurements are the proof.
+#[test]
+fn laws_are_found_again_from_noisy_curves_within_their_stated_ranges() {
+    let arguments = [
+        "calibrate",
+        "--coverage",
+        "5",
+        "--panel",
+        "1.6",
+        "--punch",
+        "0.5",
+        "--fidelity",
+        "quick",
+        "--seed",
+        "1",
+        "--format",
+        "json",
+    ];
+    let ran = run(&arguments);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let made: Value = serde_json::from_str(&ran.out).unwrap();
+    let draws = made["draws"].as_array().unwrap();
+    assert_eq!(draws.len(), 5);
+    assert!(made["inside"].as_u64().unwrap() >= 4, "{}", ran.out);
+    for draw in draws {
+        let of = |key: &str| draw[key].as_f64().unwrap();
+        assert!(of("p5_kN") < of("p50_kN") && of("p50_kN") < of("p95_kN"), "{draw}");
+        let inside = (of("p5_kN")..=of("p95_kN")).contains(&of("field_F_kN"));
+        assert_eq!(draw["inside"].as_bool().unwrap(), inside, "{draw}");
+    }
+}

@@ -1,14 +1,18 @@
 //! `meshcast adopt`: from a mesh's own tests to forecasts, checks and verdicts of its own.
 
-use super::calibrate::data::{self, DataArgs};
+use super::calibrate::data::DataArgs;
 use super::draw::DrawFlags;
 use crate::cli::VERSION;
+use crate::cli::choice::one_of;
 use crate::cli::output::{CommandEnd, Fault, Output, wrapped};
 use crate::cli::quantity;
 use crate::cli::watch::Watch;
-use crate::lab::adopt::{MeshWords, mesh, method};
-use crate::lab::campaign::{CampaignPlan, EXPECTED_BREAK, FEWEST_FOR_METHOD};
+use crate::lab::adopt::{
+    AdoptFault, AdoptPlan, AdoptStep, MeshWords, RUNS, folder, identifier, remove,
+};
+use crate::lab::campaign::{EXPECTED_BREAK, FEWEST_FOR_METHOD};
 use crate::lab::fit::posterior::IdentifyOptions;
+use crate::lab::fit::say::remarks;
 use crate::layout::{Blocks, Layout, MethodChoice, REFERENCE};
 use crate::mesh::adopted::Adopted;
 use crate::mesh::{MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
@@ -16,17 +20,18 @@ use crate::project::home::typed_path;
 use crate::project::{
     MeshUse, NamedLayout, Opened, Overwrite, Project, SaveError, load, parse, write,
 };
-use crate::study::clock::wall_seconds;
 use crate::units::{shortest, significant, to_kn};
 use crate::words::Choice;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+// One paragraph, which is wrapped as wide as the terminal is.
 const AFTER_HELP: &str = "\
-All laws that fit the tests are sought, a campaign of random layouts is run with the middle one of them, and a
-method is derived from it. Mesh, wires and method are written into the project, so that it needs nothing
-else elsewhere. Where the laws that fit differ by more than 15 %, no verdict is a plain pass.";
+All laws that fit the tests are sought, a campaign of random layouts is run with the middle one of them, and a \
+method is derived from it. Mesh, wires and method are written into the project, so that it needs nothing else \
+elsewhere. Where the laws that fit differ by more than 15 %, no verdict is a plain pass. What is done stands \
+beside the project in PROJECT.adopt-NAME until the mesh is written; --resume goes on with it.";
 
 /// Adopt a mesh from its tests: forecasts, checks and verdicts of its own, in a project.
 #[derive(Debug, Args)]
@@ -63,74 +68,98 @@ pub(crate) struct AdoptArgs {
     #[arg(long, value_name = "TEXT", default_value = "given to meshcast adopt")]
     source: String,
     /// Runs of random layouts in the campaign.
-    #[arg(long, value_name = "N", default_value_t = 160, value_parser = clap::value_parser!(u16).range(FEWEST_FOR_METHOD as i64..=5000))]
+    #[arg(long, value_name = "N", default_value_t = RUNS as u16, value_parser = clap::value_parser!(u16).range(FEWEST_FOR_METHOD as i64..=5000))]
     runs: u16,
+    /// Arrangement of blocks that gets a campaign and a map of its own beside repeated blocks; may be given twice.
+    #[arg(long, value_name = "BLOCKS", value_parser = one_of(&MORE))]
+    blocks: Vec<Blocks>,
+    /// Goes on with an adoption that was cut off.
+    #[arg(long)]
+    resume: bool,
     #[command(flatten)]
     draw: DrawFlags,
     #[command(flatten)]
     data: DataArgs,
 }
 
+/// Arrangements that may be asked for beside repeated blocks.
+const MORE: [Blocks; 2] = [Blocks::Mirrored, Blocks::Single];
+
 /// Finds, runs, derives, and writes into the project.
 pub(crate) fn run(args: &AdoptArgs) -> CommandEnd {
     let path = typed_path(&args.project);
-    let id = identifier(&args.name)?;
+    let Some(id) = identifier(&args.name) else {
+        return Err(Fault::input("--name: a name needs letters or digits"));
+    };
     let mut opened = open(&path, &id, &args.name)?;
+    let plan = plan(args, id)?;
+    let folder = folder(&path, &plan.words.id);
+    let advice = format!("give --resume to go on with it, or remove {}", folder.display());
+    let watch = Watch::start();
+    let tell = |step: AdoptStep, now| {
+        match step {
+            AdoptStep::Laws { scene, trial, of } => {
+                let label = format!("{}, trial {trial}", scene.words);
+                watch.part(&label, trial.min(of) - 1, of, scene.end());
+            }
+            AdoptStep::Campaign { blocks, .. } => {
+                watch.part(&format!("campaign, {} blocks", blocks.word()), 0, 1, EXPECTED_BREAK);
+            }
+        }
+        watch.tell(now)
+    };
+    let Some(made) = plan.adopt(&folder, (args.resume, &advice), &tell)? else {
+        watch.finish("no mesh is written; --resume goes on with what is done");
+        return Ok(Output { interrupted: true, ..Output::default() });
+    };
+    let [fitted, ran] = made.seconds;
+    watch.finish(&format!("laws {fitted:.1} s, campaign and method {ran:.1} s"));
+    let notes = remarks(&plan.data, &made.found);
+    let mesh = Arc::new(made.mesh);
+    put(&mut opened, &path, &mesh)?;
+    remove(&folder);
+    Ok(Output { result: text(&mesh, &path), notes, ..Output::default() })
+}
+
+/// What is asked for.
+fn plan(args: &AdoptArgs, id: String) -> Result<AdoptPlan, Fault> {
     let test = [args.force, args.deflection];
     let data = args.data.data(test, [args.panel, args.punch], &laws::reference().net)?;
-    let options = IdentifyOptions {
-        seed: args.draw.seed,
-        fidelity: args.draw.fidelity,
-        threads: args.draw.threads(),
-    };
-    let watch = Watch::start();
-    let clock = wall_seconds();
-    let Some(found) = data::laws(&data, &options, &watch)? else { return ended(&watch) };
-    let fitted = wall_seconds() - clock;
-    let wire = data::wire(&found, found.middle(), "the middle one");
-    let plan = CampaignPlan {
-        blocks: Blocks::Repeated,
+    let mut more = args.blocks.clone();
+    more.sort_by_key(|blocks| blocks.word());
+    more.dedup();
+    Ok(AdoptPlan {
+        words: MeshWords {
+            id,
+            name: args.name.trim().to_string(),
+            example: args.example,
+            statistic: if args.characteristic {
+                Statistic::Characteristic
+            } else {
+                Statistic::Mean
+            },
+            standard: args.standard.clone(),
+            source: args.source.clone(),
+        },
+        data,
+        options: IdentifyOptions {
+            seed: args.draw.seed,
+            fidelity: args.draw.fidelity,
+            threads: args.draw.threads(),
+        },
         runs: usize::from(args.runs),
-        seed: args.draw.seed,
-        fidelity: args.draw.fidelity,
-        ..CampaignPlan::default()
-    };
-    watch.begin("campaign", 0, 1, EXPECTED_BREAK);
-    let tell = |now| watch.tell(now);
-    let made = method(&id, &wire, &plan, args.draw.threads(), &tell).map_err(Fault::Failure)?;
-    let Some(made) = made else { return ended(&watch) };
-    let ran = wall_seconds() - clock - fitted;
-    watch.finish(&format!("laws {fitted:.1} s, campaign and method {ran:.1} s"));
-    let words = MeshWords {
-        id,
-        name: args.name.trim().to_string(),
-        example: args.example,
-        statistic: if args.characteristic { Statistic::Characteristic } else { Statistic::Mean },
-        standard: args.standard.clone(),
-        source: args.source.clone(),
-    };
-    let notes = data::remarks(&data, &found);
-    let adopted = Arc::new(mesh(words, &data, &found, wire, vec![made]));
-    adopted.check()?;
-    put(&mut opened, &path, &adopted)?;
-    Ok(Output { result: text(&adopted, &path), notes, ..Output::default() })
+        more,
+    })
 }
 
-fn ended(watch: &Watch) -> CommandEnd {
-    watch.finish("nothing is written");
-    Ok(Output { interrupted: true, ..Output::default() })
-}
-
-/// An identifier made of a name: `Acme 6x8, 2.2` becomes `acme-6x8-2.2`.
-fn identifier(name: &str) -> Result<String, Fault> {
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '.';
-    let parts = name.split(|c| !plain(c)).map(|part| part.trim_matches('.'));
-    let parts: Vec<String> =
-        parts.filter(|part| !part.is_empty()).map(str::to_ascii_lowercase).collect();
-    if parts.is_empty() {
-        return Err(Fault::input("--name: a name needs letters or digits"));
+impl From<AdoptFault> for Fault {
+    fn from(fault: AdoptFault) -> Fault {
+        match fault {
+            AdoptFault::Problems(problems) => problems.into(),
+            AdoptFault::Kept(fault) => fault.into(),
+            AdoptFault::Failed(said) => Fault::Failure(said),
+        }
     }
-    Ok(parts.join("-"))
 }
 
 /// The project, with no mesh of this identifier.

@@ -1,9 +1,11 @@
 //! A wire law fitted to many figures at once, from more than one start.
 //!
 //! - [`family`]: the laws to choose from.
-//! - [`data`], [`curve`]: what a laboratory tells of a mesh, as rows; [`posterior`]: which laws fit it.
+//! - [`data`], [`curve`], [`sheet`]: what a laboratory tells of a mesh, as rows; [`posterior`]: which laws fit it;
+//!   [`coverage`]: whether their range is as wide as it should be.
 //! - [`rows`]: what is compared, and the simulations that give it.
-//! - [`levenberg`]: the search.
+//! - [`levenberg`]: the search; [`memory`]: what it was told, so that it can go on where it was.
+//! - [`say`]: what is told of the laws that fit.
 //! - [`mod@reference`]: the rows and the starts that give the wires of the reference mesh.
 //!
 //! A fit minimises the sum of squares of (ours - target) / sigma over the rows, in the logarithms of the
@@ -11,17 +13,21 @@
 //! twist that never breaks); they are no part of the score by which starts are compared. All laws see the
 //! same alignments and slack, so that a row changes with the law alone.
 
+pub(crate) mod coverage;
 pub(crate) mod curve;
 pub(crate) mod data;
 pub mod family;
 mod levenberg;
+pub(crate) mod memory;
 pub(crate) mod posterior;
 pub mod reference;
 pub(crate) mod rows;
+pub(crate) mod say;
+pub(crate) mod sheet;
 
 use family::LawParameters;
 use levenberg::squares;
-use rows::{Ended, FitQuestion, FitTell};
+use rows::{Ended, FitQuestion};
 
 /// A row that holds a parameter where no data row feels it: no part of the score.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,6 +91,9 @@ pub(crate) fn better<'a>(laws: impl Iterator<Item = &'a FittedLaw>) -> usize {
     lowest.map_or(0, |(number, _)| number)
 }
 
+/// Makes the value of every row under a law; nothing where it cannot be run.
+pub(crate) type ValuesOf<'a> = dyn FnMut(&LawParameters) -> Result<Option<Vec<f64>>, Ended> + 'a;
+
 impl FitQuestion {
     /// Sum of squares of the rows at these values.
     pub(crate) fn score(&self, values: &[f64]) -> f64 {
@@ -96,7 +105,7 @@ impl FitQuestion {
     }
 
     /// Searches from a law that rows of `held` keep where the data do not, with about `most` simulations of
-    /// all rows at most. Nothing where the start cannot be run.
+    /// all rows at most; `values` makes them. Nothing where the start cannot be run.
     ///
     /// # Errors
     /// Why it was ended.
@@ -105,13 +114,13 @@ impl FitQuestion {
         start: &LawParameters,
         held: &[Held],
         most: usize,
-        tell: &FitTell,
+        values: &mut ValuesOf,
     ) -> Result<Option<FittedLaw>, Ended> {
         let mut first = None;
         let mut residuals = |at: &[f64]| -> Result<_, Ended> {
             let law = LawParameters::of_logarithms(at);
-            let Some(values) = self.values(&law, tell)? else { return Ok(None) };
-            let mut all = self.residuals(&values);
+            let Some(made) = values(&law)? else { return Ok(None) };
+            let mut all = self.residuals(&made);
             first.get_or_insert(squares(&all));
             all.extend(held.iter().map(|held| held.residual(&law)));
             Ok(Some(all))
@@ -122,7 +131,7 @@ impl FitQuestion {
         let start_score = first.unwrap_or(f64::NAN);
         let law = LawParameters::of_logarithms(&found.at).rounded();
         // Six digits move no row, but what is told shall be what is written.
-        let Some(values) = self.values(&law, tell)? else { return Ok(None) };
+        let Some(values) = values(&law)? else { return Ok(None) };
         Ok(Some(FittedLaw {
             start: *start,
             start_score,

@@ -266,7 +266,8 @@ pub(crate) fn search(
     start: &FitStart,
     tell: &FitTell,
 ) -> Result<Option<FittedLaw>, Ended> {
-    question.fit(&start.law, &Held::near(&start.law, weights().hold), MOST, tell)
+    let held = Held::near(&start.law, weights().hold);
+    question.fit(&start.law, &held, MOST, &mut |law| question.values(law, tell))
 }
 
 #[cfg(test)]

@@ -4,8 +4,10 @@
 //! anchored reference and its curve are rows of the fit (see [`super::fit::reference`]), which did not
 //! read Table 1. The paper's blocks repeat from cell to cell. That its eccentric results come out where blocks of
 //! neighbouring cells face each other was found with those results in view; rows of that arrangement stand
-//! beside the repeated ones and say so ([`beside`], with a small punch of other shapes).
+//! beside the repeated ones and say so ([`beside`], with a small punch of other shapes). What the laboratory test
+//! alone would tell of the field stands in [`adopted`].
 
+pub(crate) mod adopted;
 mod beside;
 
 use crate::dem::{Arrangement, Controls, Fidelity, Flow, SceneSpec, Test};

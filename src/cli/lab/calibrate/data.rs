@@ -9,16 +9,15 @@ use crate::cli::output::{CommandEnd, Fault, Format, Output, json, wrapped};
 use crate::cli::quantity;
 use crate::cli::watch::Watch;
 use crate::cli::written::create;
-use crate::dem::tensile::Pull;
 use crate::dem::{Fidelity, Flow};
-use crate::lab::calibrate::unlike_steel;
+use crate::lab::adopt::NO_LAW;
 use crate::lab::fit::curve::{LabCurve, told};
-use crate::lab::fit::data::{FirstBond, MeshData, PunchData, TensileData};
+use crate::lab::fit::data::{FirstBond, MeshData};
 use crate::lab::fit::family::WORDS;
-use crate::lab::fit::posterior::{
-    EnsembleLaw, Identified, IdentifyOptions, SIMULATIONS, START_WORDS, identify,
-};
-use crate::lab::fit::rows::{Ended, FitScene, Measure};
+use crate::lab::fit::posterior::{Identified, IdentifyOptions, SIMULATIONS, START_WORDS, identify};
+use crate::lab::fit::rows::{Ended, FitScene};
+use crate::lab::fit::say::{Trials, remarks, shown, wire};
+use crate::lab::fit::sheet::Sheet;
 use crate::mesh::wire::{NetGeometry, WireData};
 use crate::project::{self, SaveError, commented};
 use crate::show::value::{Object, Value};
@@ -49,8 +48,8 @@ pub(crate) struct DataArgs {
     #[arg(long, value_name = "KN/M", value_parser = quantity::number, help_heading = "More data")]
     strength_across: Option<f64>,
     /// Width and length of the piece that was pulled.
-    #[arg(long, value_name = "WIDTH,LENGTH", value_parser = sides, default_value = "1,1", help_heading = "More data")]
-    piece: Sides,
+    #[arg(long, value_name = "WIDTH,LENGTH", value_parser = quantity::sides, default_value = "1,1", help_heading = "More data")]
+    piece: quantity::Sides,
     /// Strength of the wire, MPa.
     #[arg(long, value_name = "MPA", value_parser = quantity::number, help_heading = "More data")]
     wire_strength: Option<f64>,
@@ -71,23 +70,9 @@ pub(crate) struct DataArgs {
     diameter: Option<f64>,
 }
 
-/// Width and length, m.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Sides([f64; 2]);
-
-fn numbers<'a, const N: usize>(text: &'a str, what: &str) -> Result<[&'a str; N], String> {
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    parts.try_into().map_err(|_| format!("{N} values with commas between them: {what}"))
-}
-
-fn sides(text: &str) -> Result<Sides, String> {
-    let [width, length] = numbers(text, "width, length, such as 1,1")?;
-    Ok(Sides([quantity::length(width)?, quantity::length(length)?]))
-}
-
 fn another(text: &str) -> Result<[f64; 4], String> {
     let what = "force, deflection, panel, punch, such as 55,0.5,2,1";
-    let [force, deflection, panel, punch] = numbers(text, what)?;
+    let [force, deflection, panel, punch] = quantity::parts(text, what)?;
     Ok([
         quantity::test_force(force)?,
         quantity::length(deflection)?,
@@ -121,54 +106,22 @@ impl DataArgs {
         [panel, punch]: [f64; 2],
         start: &NetGeometry,
     ) -> Result<MeshData, Fault> {
-        let curve = self.curve.as_deref().map(read).transpose()?;
-        let end = curve.as_ref().map(LabCurve::end);
-        let Some(force) = force.or(end.map(|p| p.force)) else {
-            return Err(Fault::input(
-                "--force: the force of the test is missing; give it, or its --curve",
-            ));
-        };
-        let deflection = deflection.or(end.map(|p| p.deflection));
-        let mut punches = vec![PunchData {
-            panel,
-            punch,
+        let sheet = Sheet {
             force,
             deflection,
+            panel,
+            punch,
             stiffness: self.k75.map(from_kn),
-            curve,
-        }];
-        punches.extend(self.another.iter().map(|[force, deflection, panel, punch]| PunchData {
-            panel: *panel,
-            punch: *punch,
-            force: *force,
-            deflection: Some(*deflection),
-            stiffness: None,
-            curve: None,
-        }));
-        let pulls = [(Pull::Along, self.strength_along), (Pull::Across, self.strength_across)];
-        let tensile = pulls.into_iter().filter_map(|(pull, strength)| {
-            Some(TensileData { sides: self.piece.0, pull, strength: from_kn(strength?) })
-        });
-        let data = MeshData {
-            net: self.net(start),
-            punches,
-            tensile: tensile.collect(),
+            curve: self.curve.as_deref().map(read).transpose()?,
+            another: self.another.clone(),
+            strengths: [self.strength_along, self.strength_across].map(|s| s.map(from_kn)),
+            piece: self.piece.0,
             wire_strength: self.wire_strength,
             wire_elongation: self.wire_elongation.map(|percent| percent / 100.0),
             first: self.breaks,
+            net: [self.opening, self.twist, self.diameter],
         };
-        let problems = data.problems();
-        if problems.is_empty() { Ok(data) } else { Err(problems.into()) }
-    }
-
-    /// The net: that of the start where nothing else is said.
-    fn net(&self, start: &NetGeometry) -> NetGeometry {
-        if self.opening.is_none() && self.twist.is_none() && self.diameter.is_none() {
-            return *start;
-        }
-        let opening = self.opening.unwrap_or(start.opening);
-        let twist = self.twist.unwrap_or(0.5 * opening);
-        NetGeometry::of_double_twist(opening, twist, self.diameter.unwrap_or(start.diameter))
+        Ok(sheet.data(start)?)
     }
 }
 
@@ -229,7 +182,7 @@ fn write_wires(path: &Path, wire: &WireData) -> Result<(), Fault> {
 ///
 /// # Errors
 /// A scene that cannot be built, or no law that fits.
-pub(in crate::cli::lab) fn laws(
+fn laws(
     data: &MeshData,
     options: &IdentifyOptions,
     watch: &Watch,
@@ -245,35 +198,9 @@ pub(in crate::cli::lab) fn laws(
     };
     match identify(data, options, &tell) {
         Ok(Some(found)) => Ok(Some(found)),
-        Ok(None) => Err(Fault::Failure(
-            "no law of the family fits: none can be run, or in none does that bond break first"
-                .into(),
-        )),
+        Ok(None) => Err(Fault::Failure(NO_LAW.into())),
         Err(Ended::Bad(problems)) => Err(problems.into()),
         Err(Ended::Cancelled) => Ok(None),
-    }
-}
-
-/// Counts the simulations of scenes by their progress: each has a first run, whose punch starts anew. The
-/// others may speak at the same time and from other threads.
-#[derive(Debug, Default)]
-struct Trials {
-    words: String,
-    travel: f64,
-    trials: usize,
-}
-
-impl Trials {
-    /// The number of the simulation that tells this, from 1.
-    fn at(&mut self, scene: &FitScene, now: EnsembleProgress) -> usize {
-        if now.run == 0 {
-            if self.words != scene.words || now.inner.deflection < self.travel {
-                self.words.clone_from(&scene.words);
-                self.trials += 1;
-            }
-            self.travel = now.inner.deflection;
-        }
-        self.trials.max(1)
     }
 }
 
@@ -424,96 +351,7 @@ impl Told<'_> {
     }
 }
 
-/// A law as wires, and which of them it is.
-pub(in crate::cli::lab) fn wire(found: &Identified, law: &EnsembleLaw, which: &str) -> WireData {
-    let rows: Vec<&str> = found.question.rows.iter().map(|r| r.label.as_str()).collect();
-    let source = format!(
-        "Made by meshcast from a mesh's own tests: {which} of {} laws, in the valley of the {}; fitted to {}; the prior is steel wire by EN 10223-3, 350 to 550 MPa, and 8 to 35 %",
-        found.laws.len(),
-        START_WORDS[law.start],
-        rows.join(", ")
-    );
-    law.law.wire(found.question.net, source)
-}
-
-/// What a reader must know: steel that is none, and what cannot be reached.
-pub(in crate::cli::lab) fn remarks(data: &MeshData, found: &Identified) -> Vec<String> {
-    let mut said: Vec<String> =
-        unlike_steel(&wire(found, &found.laws[0], "")).into_iter().collect();
-    let rows = found.question.rows.iter().zip(&found.values);
-    let off: Vec<String> = rows
-        .filter(|(row, value)| row.residual(**value).abs() > 3.0)
-        .map(|(row, value)| {
-            format!(
-                "{}: nearest {}, wanted {}",
-                row.label,
-                shown(row.measure, *value),
-                shown(row.measure, row.target)
-            )
-        })
-        .collect();
-    if !off.is_empty() {
-        said.push(format!(
-                "no law of the family reaches all of the data; the nearest is given ({}); see whether force, deflection, panel and units are those of one mesh, or start --from another net",
-                off.join("; ")
-            ));
-    }
-    let weight = |start| -> f64 {
-        let laws = found.laws.iter().filter(|law| law.start == start);
-        laws.map(|law| law.weight).sum()
-    };
-    if data.first.is_none() && weight(0) > 0.05 && weight(1) > 0.05 {
-        said.push("the data do not tell whether the twist or the wire is the weaker one; which bond broke first in the test would (--breaks)".into());
-    }
-    said
-}
-
 fn percent(part: f64) -> String {
     // Nothing summed up is minus zero.
     format!("{:.0} %", 100.0 * part + 0.0)
-}
-
-/// A row's value as people read it.
-fn shown(measure: Measure, value: f64) -> String {
-    match measure {
-        Measure::Force | Measure::ForceAt(_) | Measure::Stiffness | Measure::Strength => {
-            significant(to_kn(value), 4)
-        }
-        _ => significant(value, 4),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::dem::RunProgress;
-    use crate::lab::fit::rows::SceneKind;
-
-    #[test]
-    fn runs_that_speak_in_turn_are_one_simulation() {
-        let scene = |words: &str| FitScene {
-            words: words.into(),
-            kind: SceneKind::Tensile(1.0, 1.0, Pull::Along),
-            runs: 2,
-        };
-        let (one, other) = (scene("punch test 1"), scene("pull along"));
-        let mut trials = Trials::default();
-        let mut said = |scene: &FitScene, run: usize, deflection: f64| {
-            let inner = RunProgress {
-                deflection,
-                force: 0.0,
-                utilisation: 0.0,
-                limit: 1.0,
-                steps: 0,
-                broken: false,
-            };
-            trials.at(scene, EnsembleProgress { done: run, planned: 2, run, inner })
-        };
-        let first =
-            [said(&one, 0, 0.1), said(&one, 1, 0.1), said(&one, 0, 0.2), said(&one, 1, 0.3)];
-        assert_eq!(first, [1; 4]);
-        // The punch of the next law starts anew; another scene is another simulation.
-        assert_eq!([said(&one, 0, 0.1), said(&one, 1, 0.1)], [2, 2]);
-        assert_eq!([said(&other, 0, 0.2), said(&one, 0, 0.3)], [3, 4]);
-    }
 }

@@ -1,6 +1,8 @@
 //! `meshcast calibrate`: a wire law that reproduces a mesh's laboratory punch test; with
-//! `--reference-fit` the wires of the reference mesh ([`mod@reference`]).
+//! `--reference-fit` the wires of the reference mesh ([`mod@reference`]); with `--coverage` how often what is
+//! stated holds ([`coverage`]).
 
+mod coverage;
 pub(super) mod data;
 mod reference;
 
@@ -37,10 +39,10 @@ the ratio of twist to wire are those of --from. The result can be used with chec
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct CalibrateArgs {
     /// Force at failure of the test.
-    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "curve"])]
+    #[arg(long, value_name = "KN", value_parser = quantity::test_force, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "coverage", "curve"])]
     force: Option<f64>,
     /// Deflection at failure of the test.
-    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "curve"])]
+    #[arg(long, value_name = "M", value_parser = quantity::length, allow_hyphen_values = true, required_unless_present_any = ["reference_fit", "coverage", "curve"])]
     deflection: Option<f64>,
     /// Side of the test's panel.
     #[arg(long, value_name = "M", default_value_t = STANDARD_PANEL, value_parser = quantity::length, allow_hyphen_values = true)]
@@ -51,6 +53,10 @@ pub(crate) struct CalibrateArgs {
     /// Fits the reference mesh to all that the paper has but its Table 1, from several starts: some minutes.
     #[arg(long, conflicts_with_all = ["force", "deflection", "panel", "punch", "from", "runs", "seed"])]
     reference_fit: bool,
+    /// Draws so many laws, makes a noisy curve of each, and counts how often the range that the curve gives
+    /// contains what the law does in the field.
+    #[arg(long, value_name = "N", conflicts_with_all = ["force", "deflection", "reference_fit", "runs", "out"], value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    coverage: Option<u16>,
     /// What to start from: a mesh of the catalogue, a law (bench, yade, reference) or a mesh file.
     #[arg(long, value_name = "MESH", default_value = "reference")]
     from: String,
@@ -93,6 +99,9 @@ struct Result<'a> {
 pub(crate) fn run(args: &CalibrateArgs) -> CommandEnd {
     if args.reference_fit {
         return reference::run(args);
+    }
+    if let Some(draws) = args.coverage {
+        return coverage::run(args, usize::from(draws));
     }
     if args.ensemble || args.data.given() {
         return data::run(args);

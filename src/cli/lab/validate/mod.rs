@@ -1,8 +1,10 @@
 //! `meshcast validate`: everything that the paper prints beside what this program returns; with
-//! `--dem` its simulations beside ours ([`dem`]).
+//! `--dem` its simulations beside ours ([`dem`]); with `--adopted` what its laboratory test alone would have told
+//! ([`adopted`]).
 //!
 //! Exit code 1 when a printed digit differs.
 
+mod adopted;
 mod dem;
 
 use crate::case::Input;
@@ -25,19 +27,23 @@ use std::num::NonZeroUsize;
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
     /// Compare the paper's simulations with ours too: some minutes.
-    #[arg(long)]
+    #[arg(long, group = "simulated")]
     dem: bool,
+    /// Adopts the reference mesh from its laboratory test alone, and says whether the ranges contain what the paper
+    /// found in the field: some minutes.
+    #[arg(long, group = "simulated", conflicts_with = "law")]
+    adopted: bool,
     /// How exactly each of our runs is computed.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", requires = "dem", value_parser = one_of(Fidelity::ALL))]
+    #[arg(long, value_name = "FIDELITY", default_value = "standard", requires = "simulated", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
     /// Seed of alignments and slack of our runs.
-    #[arg(long, value_name = "S", default_value_t = 0, requires = "dem")]
+    #[arg(long, value_name = "S", default_value_t = 0, requires = "simulated")]
     seed: u64,
     /// Wires of our runs instead of the reference mesh's: bench, yade, reference or a mesh file.
     #[arg(long, value_name = "LAW", requires = "dem")]
     law: Option<String>,
     /// Threads; the result does not depend on them [default: as many as the machine has].
-    #[arg(long, value_name = "N", requires = "dem")]
+    #[arg(long, value_name = "N", requires = "simulated")]
     threads: Option<NonZeroUsize>,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t)]
@@ -46,6 +52,9 @@ pub(crate) struct ValidateArgs {
 
 /// Compares and prints the tables.
 pub(crate) fn run(args: &ValidateArgs) -> CommandEnd {
+    if args.adopted {
+        return adopted::run(args);
+    }
     let validation = validate();
     if !args.dem {
         return outcome(&validation, args.format);
