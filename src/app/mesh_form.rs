@@ -1,24 +1,36 @@
-//! The form by which a mesh is added to the project: a row for each field of its laboratory record.
+//! The forms by which a mesh comes into the project, row by row: its laboratory record, or the tests that it is
+//! adopted from ([`super::adopt_form`]).
 
 use super::entry::{EditTarget, LineEntry};
 use super::key::Key;
 use crate::mesh::adopted::NamedMethods;
 use crate::mesh::{LabRecord, MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic};
 use crate::units::{Quantity, Units, parse_typed};
+use crate::words::Choice;
 
 /// A row: what it is called, the field of the mesh, and what is to be typed.
+#[derive(Debug)]
 pub(crate) struct FormRow {
     pub(crate) label: &'static str,
     pub(super) field: &'static str,
     pub(crate) about: &'static str,
 }
 
-const fn row(label: &'static str, field: &'static str, about: &'static str) -> FormRow {
+pub(super) const fn row(label: &'static str, field: &'static str, about: &'static str) -> FormRow {
     FormRow { label, field, about }
 }
 
-/// The rows; the last one's Enter adds the mesh.
-pub(crate) const ROWS: [FormRow; 8] = [
+/// What a form is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FormKind {
+    /// The laboratory record of a mesh to be added.
+    Record,
+    /// The tests of a mesh to be adopted.
+    Tests,
+}
+
+/// The rows of a record; the last one's Enter adds the mesh.
+const ROWS: [FormRow; 8] = [
     row("identifier", "id", "short, without spaces, such as ht-65-3; layouts name the mesh by it"),
     row("name", "name", "for people; may be left empty"),
     row("force", "laboratory.force", "F_l of the punch test, kN or with a unit: 180, 40 kip"),
@@ -30,7 +42,7 @@ pub(crate) const ROWS: [FormRow; 8] = [
     row(
         "kind",
         "laboratory.statistic",
-        "mean or characteristic, as the record says (m or c will do); a declared value is mostly characteristic",
+        "mean, characteristic or minimum, as the record says (m, c or mi will do); a declared value is mostly characteristic",
     ),
     row("panel", "laboratory.panel", "side of the panel in the test; empty: 3 m, the standard one"),
     row("standard", "laboratory.standard", "such as ISO 17746; may be left empty"),
@@ -40,7 +52,10 @@ pub(crate) const ROWS: [FormRow; 8] = [
 /// The form as far as it is filled in.
 #[derive(Debug, Clone)]
 pub struct MeshForm {
-    pub(crate) lines: [LineEntry; ROWS.len()],
+    pub(crate) kind: FormKind,
+    rows: &'static [FormRow],
+    /// A line for each row.
+    pub(crate) lines: Vec<LineEntry>,
     /// The marked row.
     pub(crate) index: usize,
     /// Why the mesh was refused.
@@ -48,9 +63,31 @@ pub struct MeshForm {
 }
 
 impl MeshForm {
-    pub(super) fn new() -> MeshForm {
-        let lines = ROWS.map(|_| LineEntry::new(EditTarget::Mesh, ""));
-        MeshForm { lines, index: 0, error: None }
+    /// An empty form of a record.
+    pub(super) fn record() -> MeshForm {
+        MeshForm::new(FormKind::Record, &ROWS)
+    }
+
+    /// An empty form of these rows.
+    pub(super) fn new(kind: FormKind, rows: &'static [FormRow]) -> MeshForm {
+        let lines = rows.iter().map(|_| LineEntry::new(EditTarget::Mesh, "")).collect();
+        MeshForm { kind, rows, lines, index: 0, error: None }
+    }
+
+    /// Its rows.
+    pub(crate) fn rows(&self) -> &'static [FormRow] {
+        self.rows
+    }
+
+    /// Whether the marked row is the last.
+    pub(super) fn at_end(&self) -> bool {
+        self.index + 1 >= self.lines.len()
+    }
+
+    /// What stands in a row, by its field.
+    pub(super) fn text(&self, field: &str) -> &str {
+        let row = self.rows().iter().position(|row| row.field == field);
+        row.and_then(|row| self.lines.get(row)).map_or("", |line| line.text().trim())
     }
 
     /// The line of the marked row.
@@ -65,12 +102,12 @@ impl MeshForm {
 
     /// Moves the mark.
     pub(super) fn step(&mut self, lines: isize) {
-        self.index = self.index.saturating_add_signed(lines).min(ROWS.len() - 1);
+        self.index = self.index.saturating_add_signed(lines).min(self.lines.len() - 1);
     }
 
     /// Marks what is wrong.
     pub(super) fn refuse(&mut self, field: &str, why: String) {
-        self.index = ROWS.iter().position(|row| row.field == field).unwrap_or(self.index);
+        self.index = self.rows().iter().position(|row| row.field == field).unwrap_or(self.index);
         self.error = Some(why);
     }
 
@@ -80,10 +117,9 @@ impl MeshForm {
         let number = |row: usize, quantity| {
             parse_typed(text(row), quantity, unit).map_err(|e| (ROWS[row].field, e.to_string()))
         };
-        let kinds = [Statistic::Mean, Statistic::Characteristic];
         let kind = text(4).to_lowercase();
         let fits = |s: &Statistic| !kind.is_empty() && s.word().starts_with(&kind);
-        let statistic = kinds.into_iter().find(fits);
+        let statistic = Statistic::ALL.iter().copied().find(fits);
         let length = |row: usize| match text(row) {
             "" => Ok(None),
             _ => number(row, Quantity::Length).map(Some),
@@ -99,10 +135,12 @@ impl MeshForm {
             laboratory: LabRecord {
                 force: number(2, Quantity::Force)?,
                 deflection: length(3)?,
-                statistic: statistic.ok_or((ROWS[4].field, "mean or characteristic?".into()))?,
+                statistic: statistic
+                    .ok_or((ROWS[4].field, "mean, characteristic or minimum?".into()))?,
                 panel: length(5)?.unwrap_or(STANDARD_PANEL),
                 punch: STANDARD_PUNCH,
                 standard: text(6).into(),
+                date: String::new(),
                 source: match text(7) {
                     "" => Err((ROWS[7].field, "a source is needed".to_string())),
                     source => Ok(source.into()),

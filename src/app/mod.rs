@@ -12,8 +12,10 @@
 //! `:` line, [`pasted`], [`saving`], [`open`], [`output`], [`checking`], [`copy`] and [`tour`]; the texts
 //! of help and details in [`pages`]. [`keymap`] says which key means what where, [`entry`] is the line of
 //! text being typed, [`picker`] the list of projects, searched by [`fuzzy`]; [`mesh_form`]
-//! and [`mesh_adding`] add a mesh.
+//! and [`mesh_adding`] add a mesh, [`adopt_form`] and [`adopting`] adopt one from its tests.
 
+mod adopt_form;
+mod adopting;
 mod campaigning;
 mod checking;
 pub(crate) mod command;

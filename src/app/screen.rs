@@ -5,7 +5,7 @@ use super::entry::{EditTarget, LineEntry};
 use super::file_work::Then;
 use super::keymap::{Context, StudyPage};
 use super::look::{ColorMode, Glyphs, Look};
-use super::mesh_form::MeshForm;
+use super::mesh_form::{FormKind, MeshForm};
 use super::message::KeptEdits;
 use super::picker::Picker;
 use super::status::Status;
@@ -94,6 +94,7 @@ impl Mode {
             Mode::Entry(_) => return None,
             Mode::Help { .. } | Mode::Details { .. } => Context::Pager,
             Mode::MeshPicker { .. } => Context::MeshPicker,
+            Mode::MeshForm(form) if form.kind == FormKind::Tests => Context::AdoptForm,
             Mode::MeshForm(_) => Context::MeshForm,
             Mode::Study(page) => page.context(),
             Mode::Export { .. } => Context::Export,
@@ -119,6 +120,8 @@ pub(super) struct Screen {
     looked_through: Mode,
     /// The text that was looked for last.
     sought: String,
+    /// The form of a mesh to be adopted, as it was left.
+    left_form: Option<Box<MeshForm>>,
     status: Option<Status>,
     look: Look,
     size: (u16, u16),
@@ -133,6 +136,7 @@ impl Screen {
             under_help: Mode::Main,
             looked_through: Mode::Main,
             sought: String::new(),
+            left_form: None,
             status,
             look,
             size,
@@ -222,6 +226,25 @@ impl Screen {
             Mode::MeshForm(form) => Some(form),
             _ => None,
         }
+    }
+
+    /// Keeps what stands in the form of a mesh to be adopted, for when it is shown again.
+    pub(super) fn leave_form(&mut self) {
+        if let Mode::MeshForm(form) = &self.mode
+            && form.kind == FormKind::Tests
+        {
+            self.left_form = Some(form.clone());
+        }
+    }
+
+    /// That form, to be shown again.
+    pub(super) fn take_left_form(&mut self) -> Option<Box<MeshForm>> {
+        self.left_form.take()
+    }
+
+    /// What stood in it is done with.
+    pub(super) fn forget_form(&mut self) {
+        self.left_form = None;
     }
 
     /// Whether text is taken: a line is typed, a form filled in, or letters to look for.

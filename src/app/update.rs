@@ -9,6 +9,7 @@ use super::settings::SettingItem;
 use super::{App, Mode};
 use crate::case::{Input, StepSize};
 use crate::export::ExportKind;
+use crate::job::news::What;
 use crate::units::Quantity;
 use std::path::Path;
 
@@ -53,8 +54,16 @@ impl App {
                 self.go_on()
             }
             Message::Work(news) => {
-                if let Some(said) = self.work.news(&mut self.editor, news) {
-                    self.screen.say(said);
+                match news.what {
+                    What::FormRefused(problems) => self.form_refused(&problems),
+                    What::Adopted { uid, mesh, remarks, folder } => {
+                        self.adopted((news.number, uid), &mesh, &remarks, &folder);
+                    }
+                    _ => {
+                        if let Some(said) = self.work.news(&mut self.editor, news) {
+                            self.screen.say(said);
+                        }
+                    }
                 }
                 Vec::new()
             }
@@ -211,7 +220,10 @@ impl App {
                 let index = self.meshes().iter().position(|c| c.mesh.id == self.layout().mesh);
                 self.screen.show(Mode::MeshPicker { index: index.unwrap_or(0) });
             }
-            Action::AddMesh => self.screen.show(Mode::MeshForm(Box::new(MeshForm::new()))),
+            Action::AddMesh => {
+                self.screen.show(Mode::MeshForm(Box::new(MeshForm::record())));
+            }
+            Action::AdoptMesh => self.show_adopt_form(),
             Action::Branch => {
                 let said = self.editor.toggle_branch();
                 self.inform(said);

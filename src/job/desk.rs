@@ -31,7 +31,7 @@ impl Ticket {
     }
 
     /// Asks the work to end.
-    pub(crate) fn cancel(&self) {
+    pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 }

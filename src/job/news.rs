@@ -1,9 +1,11 @@
 //! What is told of work behind the screen.
 
 use crate::curve::Point;
+use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
 use crate::study::result::make::Made;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// News of an order.
@@ -44,6 +46,19 @@ pub enum What {
     Step(StepProgress),
     /// Work of several steps has ended: what to say of it, or why it failed. [`What::Ended`] follows.
     Told(Result<String, String>),
+    /// A mesh is adopted. [`What::Ended`] follows.
+    Adopted {
+        /// The layout that it is for, by its uid.
+        uid: u64,
+        /// The mesh.
+        mesh: Arc<MeshType>,
+        /// What is to be known of it.
+        remarks: Vec<String>,
+        /// Where what was done on the way is kept.
+        folder: PathBuf,
+    },
+    /// What was typed in a form cannot be used; fields are named by flags. [`What::Ended`] follows.
+    FormRefused(Vec<Problem>),
     /// A layout cannot be checked.
     Refused {
         /// The layout, by its uid.

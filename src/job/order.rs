@@ -1,5 +1,6 @@
 //! What can be ordered.
 
+use super::adoption::AdoptJob;
 use super::campaign::Campaign;
 use super::checks::Checks;
 use super::desk::{Ticket, Urgency};
@@ -24,6 +25,8 @@ pub enum Task {
     Campaign(Campaign),
     /// A campaign of random layouts and the method derived from it.
     Method(MethodJob),
+    /// A mesh adopted from its own tests.
+    Adopt(Box<AdoptJob>),
 }
 
 impl Order {
@@ -31,7 +34,9 @@ impl Order {
     pub(crate) fn urgency(&self) -> Urgency {
         match &self.task {
             Task::Checks(checks) if checks.live => Urgency::Live,
-            Task::Checks(_) | Task::Campaign(_) | Task::Method(_) => Urgency::Asked,
+            Task::Checks(_) | Task::Campaign(_) | Task::Method(_) | Task::Adopt(_) => {
+                Urgency::Asked
+            }
         }
     }
 
@@ -43,6 +48,7 @@ impl Order {
             Task::Checks(checks) => checks.carry_out(threads, ticket, &say),
             Task::Campaign(campaign) => campaign.carry_out(threads, ticket, &say),
             Task::Method(job) => job.carry_out(threads, ticket, &say),
+            Task::Adopt(job) => job.carry_out(threads, ticket, &say),
         }
         say(What::Ended { cancelled: ticket.cancelled() });
     }

@@ -145,6 +145,7 @@ pub(crate) fn news(order: &Order) -> Vec<News> {
             }
         }
         Task::Method(job) => panic!("not canned: {job:?}"),
+        Task::Adopt(job) => panic!("not canned: {job:?}"),
         Task::Campaign(campaign) => {
             let total = campaign.cases.len();
             for (index, case) in campaign.cases.iter().enumerate() {

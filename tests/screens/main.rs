@@ -1,5 +1,6 @@
 //! Screens by styled snapshot, and edits by key script.
 
+mod adopting;
 mod canned;
 mod checks;
 mod desk;

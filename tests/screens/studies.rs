@@ -40,6 +40,7 @@ fn work(app: &mut App, script: &str) -> usize {
         Task::Checks(checks) => checks.targets.len(),
         Task::Campaign(campaign) => campaign.cases.len(),
         Task::Method(job) => panic!("no check: {job:?}"),
+        Task::Adopt(job) => panic!("no check: {job:?}"),
     };
     crate::harness::work(app, effects).iter().map(size).sum()
 }

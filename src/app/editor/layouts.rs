@@ -376,15 +376,51 @@ impl Editor {
         if self.empty() {
             return Err(NONE.into());
         }
-        if self.meshes().iter().any(|c| c.mesh.id == mesh.id) {
-            return Err(format!("there is a mesh {:?} already; take another identifier", mesh.id));
+        self.new_mesh(&mesh.id)?;
+        let said = format!("mesh {} added and given to {}; Ctrl+S", mesh.id, self.layout().name);
+        self.give_mesh(MeshUse::Inline(Arc::new(mesh)));
+        Ok(said + " saves it in the project")
+    }
+
+    /// Whether a mesh of this identifier can come into the project.
+    ///
+    /// # Errors
+    /// There is one already, or there are too many.
+    pub(in crate::app) fn new_mesh(&self, id: &str) -> Result<(), String> {
+        if self.meshes().iter().any(|c| c.mesh.id == id) {
+            return Err(format!("there is a mesh {id:?} already; take another identifier"));
         }
         if self.project.meshes.len() >= MOST_MESHES {
             return Err(format!("there are {MOST_MESHES} meshes, which is the most"));
         }
-        let said = format!("mesh {} added and given to {}; Ctrl+S", mesh.id, self.layout().name);
-        self.give_mesh(MeshUse::Inline(Arc::new(mesh)));
-        Ok(said + " saves it in the project")
+        Ok(())
+    }
+
+    /// Writes an adopted mesh out in the project, and gives it with its own method to a layout if that is still
+    /// there; what to say.
+    ///
+    /// # Errors
+    /// There is a mesh of this identifier by now, or there are too many.
+    pub(in crate::app) fn adopt_mesh(
+        &mut self,
+        uid: u64,
+        mesh: &Arc<MeshType>,
+    ) -> Result<String, String> {
+        self.new_mesh(&mesh.id)?;
+        let mut given = String::new();
+        self.edit(format!("mesh {} adopted", mesh.id), |project| {
+            // An empty list stands for the reference mesh, which must stay the first.
+            if project.meshes.is_empty() {
+                project.meshes.push(MeshUse::Catalogue(REFERENCE_ID.into()));
+            }
+            project.meshes.push(MeshUse::Inline(mesh.clone()));
+            if let Some(layout) = project.layouts.iter_mut().find(|layout| layout.uid == uid) {
+                layout.mesh.clone_from(&mesh.id);
+                layout.layout.method = MethodChoice::Derived;
+                given = format!(" and given to {}", layout.name);
+            }
+        });
+        Ok(format!("mesh {} adopted{given}; u takes it back", mesh.id))
     }
 
     /// Gives the selected layout other sizes, as an edit; what to say.

@@ -28,6 +28,8 @@ pub enum Action {
     PickMesh,
     /// The form of a mesh to be added to the project.
     AddMesh,
+    /// The form of a mesh to be adopted from its tests.
+    AdoptMesh,
     Branch,
     Blocks,
     /// The next kind of grid of the layout.

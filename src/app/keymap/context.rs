@@ -12,6 +12,8 @@ pub enum Context {
     /// The list of meshes.
     MeshPicker,
     MeshForm,
+    /// The form of a mesh to be adopted from its tests.
+    AdoptForm,
     /// The question before quitting with unsaved edits.
     ConfirmQuit,
     /// The question before replacing a file that changed on disk.
@@ -50,6 +52,7 @@ impl Context {
         Context::Pager,
         Context::MeshPicker,
         Context::MeshForm,
+        Context::AdoptForm,
         Context::ConfirmQuit,
         Context::ConfirmOverwrite,
         Context::ConfirmRecovery,
@@ -80,6 +83,7 @@ impl Context {
             Context::Pager => "Help and details",
             Context::MeshPicker => "Mesh list",
             Context::MeshForm => "A mesh to add",
+            Context::AdoptForm => "A mesh to adopt from its tests",
             Context::ConfirmQuit => "Unsaved edits",
             Context::ConfirmOverwrite => "File changed on disk",
             Context::ConfirmRecovery => "Edits kept from a lost session",

@@ -61,6 +61,7 @@ pub(super) const fn own(context: Context) -> &'static [Binding] {
         Context::Pager => PAGER,
         Context::MeshPicker => MESH_PICKER,
         Context::MeshForm => MESH_FORM,
+        Context::AdoptForm => ADOPT_FORM,
         Context::ConfirmQuit => CONFIRM_QUIT,
         Context::ConfirmOverwrite => CONFIRM_OVERWRITE,
         Context::ConfirmRecovery => CONFIRM_RECOVERY,
@@ -178,6 +179,7 @@ const MESH_PICKER: &[Binding] = &[
     k(A::Last,  &[END, PAGE_DOWN],                 "",         "last mesh"),
     k(A::Take,  &[ENTER],                          "use",      "use this mesh"),
     k(A::AddMesh, &[c('a')],                       "add",      "add a mesh to the project, by a form"),
+    k(A::AdoptMesh, &[c('A')],                     "adopt",    "adopt a mesh from its own tests: laws, runs and a method of its own, by a form"),
     k(A::Find,  &[c('/')],                         "find",     "find a text in the list; Enter with nothing typed finds the next"),
     k(A::Close, &[ESC, ctrl('g'), c('q'), c('m'), ctrl('c')], "back",     "back, keep the mesh"),
 ];
@@ -190,6 +192,17 @@ const MESH_FORM: &[Binding] = &[
     k(A::First, &[PAGE_UP],                      "",         "the first row"),
     k(A::Last,  &[PAGE_DOWN],                    "",         "the last row"),
     k(A::Close, &[ESC, ctrl('g'), ctrl('c')],    "back",     "back to the list, no mesh is added; all other keys are text"),
+];
+
+/// The form of a mesh to be adopted.
+#[rustfmt::skip]
+const ADOPT_FORM: &[Binding] = &[
+    k(A::Take,  &[ENTER],                        "next",     "the next row; from the last one the work begins"),
+    k(A::Down,  &[DOWN, TAB],                    "",         "the next row"),
+    k(A::Up,    &[UP, BACK_TAB],                 "previous", "the row above"),
+    k(A::First, &[PAGE_UP],                      "",         "the first row"),
+    k(A::Last,  &[PAGE_DOWN],                    "",         "the last row"),
+    k(A::Close, &[ESC, ctrl('g'), ctrl('c')],    "back",     "back to the list; what stands in the form stays; all other keys are text"),
 ];
 
 /// Quit with unsaved edits?

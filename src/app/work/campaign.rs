@@ -134,7 +134,12 @@ impl Campaigns {
                 }));
             }
             What::Failed => self.running = None,
-            What::Made { .. } | What::Refused { .. } | What::Step(_) | What::Told(_) => {}
+            What::Made { .. }
+            | What::Refused { .. }
+            | What::Step(_)
+            | What::Told(_)
+            | What::Adopted { .. }
+            | What::FormRefused(_) => {}
         }
         None
     }

@@ -77,7 +77,9 @@ impl Live {
             | What::Progress(_)
             | What::Case { .. }
             | What::Step(_)
-            | What::Told(_) => {}
+            | What::Told(_)
+            | What::Adopted { .. }
+            | What::FormRefused(_) => {}
         }
     }
 }

@@ -34,6 +34,11 @@ impl Work {
         self.steps.as_ref()
     }
 
+    /// Whether work of steps of this number runs.
+    pub(in crate::app) fn at_steps(&self, number: u64) -> bool {
+        self.steps.as_ref().is_some_and(|steps| steps.number == number)
+    }
+
     /// Orders work of steps; whatever runs gives way.
     pub(in crate::app) fn start_steps(&mut self, name: &'static str, task: Task) -> Command {
         let order = self.order(task);

@@ -1,0 +1,95 @@
+//! A mesh adopted from its own tests: its form, the work behind the screen, and what comes of it.
+
+use super::adopt_form::{self, Refusal, Typed, refusal, typed};
+use super::message::Command;
+use super::{App, Mode};
+use crate::job::adoption::AdoptJob;
+use crate::job::order::Task;
+use crate::lab::adopt::folder;
+use crate::mesh::MeshType;
+use crate::problem::Problem;
+use std::path::Path;
+use std::sync::Arc;
+
+impl App {
+    /// Shows the form, as it was left.
+    pub(super) fn show_adopt_form(&mut self) {
+        let form = self.screen.take_left_form();
+        let form = form.unwrap_or_else(|| Box::new(adopt_form::form()));
+        self.screen.show(Mode::MeshForm(form));
+    }
+
+    /// Enter in the last row of the form: the work begins.
+    pub(super) fn take_adopt_form(&mut self) -> Vec<Command> {
+        let unit = self.units();
+        let Some(form) = self.screen.mesh_form() else { return Vec::new() };
+        let typed = typed(form, unit);
+        match typed.and_then(|typed| self.adoption(typed)) {
+            Ok(job) => {
+                let id = job.words.id.clone();
+                self.screen.leave_form();
+                self.screen.show(Mode::Main);
+                self.inform(format!("adopting {id}; Esc ends it, m and A go on with it"));
+                vec![self.work.start_steps("adopt", Task::Adopt(Box::new(job)))]
+            }
+            Err((field, why)) => {
+                if let Some(form) = self.screen.mesh_form() {
+                    form.refuse(field, why);
+                }
+                Vec::new()
+            }
+        }
+    }
+
+    /// The work for what was typed.
+    fn adoption(&self, typed: Typed) -> Result<AdoptJob, Refusal> {
+        let Typed { words, sheet, curve, runs } = typed;
+        if let Err(why) = self.editor.new_mesh(&words.id) {
+            return Err(("--name", why));
+        }
+        let Some(file) = self.editor.path() else {
+            let why =
+                "the work is kept beside the project's file, and it has none yet: Esc, :w PATH";
+            return Err(("--source", why.into()));
+        };
+        let folder = folder(file, &words.id);
+        Ok(AdoptJob { folder, sheet, curve, words, runs, uid: self.layout().uid })
+    }
+
+    /// The work ended because of what was typed: the form comes back where nothing else is open.
+    pub(super) fn form_refused(&mut self, problems: &[Problem]) {
+        let Some(problem) = problems.first() else { return };
+        let (field, why) = refusal(problem);
+        if matches!(self.screen.mode(), Mode::Main) {
+            self.show_adopt_form();
+            if let Some(form) = self.screen.mesh_form() {
+                form.refuse(field, why);
+            }
+        } else {
+            self.complain(why);
+        }
+    }
+
+    /// A mesh was adopted: it goes into the project.
+    pub(super) fn adopted(
+        &mut self,
+        (number, uid): (u64, u64),
+        mesh: &Arc<MeshType>,
+        remarks: &[String],
+        folder: &Path,
+    ) {
+        // Work that gave way, or of another project, is heard no more: it is kept, and quickly taken up.
+        if !self.work.at_steps(number) {
+            return;
+        }
+        match self.editor.adopt_mesh(uid, mesh) {
+            Ok(said) => {
+                self.screen.forget_form();
+                let also = if remarks.is_empty() { "" } else { "; remarks: " };
+                let kept = format!("{} can go then", folder.display());
+                self.inform(format!("{said}; Ctrl+S saves it, {kept}{also}{}", remarks.join("; ")));
+            }
+            Err(why) => self.complain(why),
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! A mesh adopted from its own tests: the form, its work behind the screen, and what comes of it.
+
+use crate::harness::*;
+use meshcast::app::App;
+use meshcast::app::message::{Command, Message};
+use meshcast::job::news::{StepProgress, What};
+use meshcast::job::order::{Order, Task};
+use meshcast::job::{News, Ticket};
+use meshcast::layout::MethodChoice;
+use meshcast::mesh::catalogue;
+use meshcast::problem::Problem;
+use meshcast::project::Project;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+/// The made-up double-twist mesh 6x8 of 2.2 mm wire, tested on a small panel so that it is soon done.
+const EXAMPLE: &str = "Example 6x8, 2.2<Enter>20<Enter>0.32<Enter>1.6<Enter>0.5<Enter>60 mm<Enter>\
+    <Enter>2.2 mm<Enter><Enter><Enter><Enter><Enter><Enter><Enter><Enter>mean example<Enter><Enter>60<Enter>\
+    made up<Enter>";
+
+fn bottom(app: &App) -> String {
+    text(app).lines().last().unwrap().trim_end().to_string()
+}
+
+fn order(commands: Vec<Command>) -> Order {
+    let [Command::Work(order)] = &commands[..] else { panic!("{commands:?}") };
+    assert!(matches!(order.task, Task::Adopt(_)), "{order:?}");
+    order.clone()
+}
+
+#[test]
+fn the_form_at_every_size() {
+    for (name, size) in [("adopt_form", (80, 24)), ("adopt_form_small", (40, 12))] {
+        let mut app = start(road_cut(), size, MONO);
+        press(&mut app, "m");
+        assert!(size.0 < 80 || bottom(&app).contains("A adopt"), "{}", bottom(&app));
+        press(&mut app, "AExample 6x8, 2.2<Enter>20<Enter>0.32");
+        insta::assert_snapshot!(name, text(&app));
+        // The last row is reached, and what it is about is whole.
+        press(&mut app, "<PgDn>");
+        assert!(text(&app).contains(">source"), "{}", text(&app));
+        assert!(text(&app).contains("Esc ends it"), "{}", text(&app));
+    }
+    let mut app = start(road_cut(), (80, 24), MONO);
+    press(&mut app, "m?");
+    assert!(text(&app).contains("adopt a mesh from its own tests"), "{}", text(&app));
+}
+
+#[test]
+fn what_is_wrong_is_marked_in_its_row_and_nothing_is_lost() {
+    let mut app = start(road_cut(), (80, 24), MONO);
+    press(&mut app, "mAmine<Enter>20<Enter><Enter>0.9<PgDn>");
+    let press_last = |app: &mut App| press(app, "<Enter>");
+    assert!(press_last(&mut app).is_empty());
+    assert!(text(&app).contains(">kind") && text(&app).contains("mean or characteristic?"));
+    press(&mut app, "m<PgDn>a sheet<Enter>");
+    // The punch of 1 m does not fit into a panel of 0.9 m.
+    let shown = text(&app);
+    assert!(shown.contains(">punch") && shown.contains("below the panel of 0.9 m"), "{shown}");
+    // Left and shown again, all of it stands there.
+    press(&mut app, "<Esc>A");
+    assert!(text(&app).contains("a sheet") && text(&app).contains("mine"), "{}", text(&app));
+    press(
+        &mut app,
+        "<PgUp><C-u>dt 8x10 2.7<PgDn><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up>0.5",
+    );
+    press(&mut app, "<PgDn><Enter>");
+    let shown = text(&app);
+    assert!(shown.contains(">name") && shown.contains("there is a mesh"), "{shown}");
+}
+
+#[test]
+fn progress_is_told_escape_ends_it_and_a_refusal_brings_the_form_back() {
+    let mut app = start(road_cut(), (80, 24), MONO);
+    let ordered = order(press(&mut app, &format!("mA{EXAMPLE}")));
+    assert!(bottom(&app).contains("adopting example-6x8-2.2; Esc ends it"), "{}", bottom(&app));
+    let number = ordered.number;
+    let news = |what| Message::Work(News { number, what });
+    let text_of_step = "laws that fit, trial 12 of about 144".to_string();
+    app.update(news(What::Step(StepProgress { text: text_of_step, fraction: 0.08, left: None })));
+    press(&mut app, "<Down>");
+    assert!(
+        bottom(&app).contains("adopt: laws that fit, trial 12 of about 144"),
+        "{}",
+        bottom(&app)
+    );
+    assert!(matches!(press(&mut app, "<Esc>")[..], [Command::StopWork]));
+    app.update(news(What::Told(Ok("kept; the same goes on".into()))));
+    app.update(news(What::Ended { cancelled: true }));
+    assert!(bottom(&app).contains("the same goes on"));
+    // The same order again by the form as it was left; this time the file is not there.
+    let again = order(press(&mut app, "mA<PgDn><Enter>"));
+    assert!(again.number > number);
+    let number = again.number;
+    let news = |what| Message::Work(News { number, what });
+    let wrong = Problem {
+        field: "--curve".into(),
+        value: String::new(),
+        message: "none.csv: there is no such file".into(),
+        allowed: String::new(),
+        advice: String::new(),
+    };
+    app.update(news(What::FormRefused(vec![wrong])));
+    app.update(news(What::Ended { cancelled: false }));
+    let shown = text(&app);
+    assert!(shown.contains(">curve file") && shown.contains("no such file"), "{shown}");
+    assert!(shown.contains("Example 6x8, 2.2"), "{shown}");
+}
+
+/// An adopted mesh that nobody computed: the reference's, under another name.
+fn canned() -> Arc<meshcast::mesh::MeshType> {
+    let mut mesh = (*catalogue::reference()).clone();
+    (mesh.id, mesh.name, mesh.reference) = ("mine".into(), "Mine".into(), false);
+    Arc::new(mesh)
+}
+
+#[test]
+fn the_mesh_comes_into_the_project_as_one_undo_and_only_where_it_was_asked_for() {
+    let mut app = start(road_cut(), (80, 24), MONO);
+    let first = order(press(&mut app, &format!("mA{EXAMPLE}")));
+    let before = app.project().clone();
+    let adopted = || What::Adopted {
+        uid: before.layouts[0].uid,
+        mesh: canned(),
+        remarks: vec!["which bond broke first is not known".into()],
+        folder: PathBuf::from("/site/road-cut.adopt-mine"),
+    };
+    // Another layout is selected by then.
+    press(&mut app, "<Tab>");
+    app.update(Message::Work(News { number: first.number, what: adopted() }));
+    app.update(Message::Work(News {
+        number: first.number,
+        what: What::Ended { cancelled: false },
+    }));
+    let layout = |app: &App, at: usize| app.project().layouts[at].clone();
+    assert_eq!(
+        (layout(&app, 0).mesh.as_str(), layout(&app, 1).mesh.as_str()),
+        ("mine", "dt-8x10-2.7")
+    );
+    assert_eq!(layout(&app, 0).layout.method, MethodChoice::Derived);
+    assert!(bottom(&app).contains("mesh mine adopted and given to bench 2"), "{}", bottom(&app));
+    press(&mut app, "u");
+    assert!(**app.project() == *before);
+    // Late news of work that gave way change nothing.
+    app.update(Message::Work(News { number: first.number, what: adopted() }));
+    assert!(**app.project() == *before);
+}
+
+/// From the keys to the verdict, with all that is computed on the way.
+#[test]
+fn the_example_is_adopted_from_end_to_end_by_keys() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("site.ron");
+    let mut app = App::new(meshcast::app::Start {
+        project: Arc::new(Project::starter("Site")),
+        path: Some(file),
+        note: None,
+        kept: None,
+        holder: None,
+        look: MONO,
+        units: None,
+        size: (80, 24),
+        preferences: meshcast::app::settings::Preferences::default(),
+    });
+    let run = |order: &Order, stop_at: Option<usize>| {
+        let (ticket, heard) = (Ticket::default(), Mutex::new(Vec::new()));
+        order.carry_out(2, &ticket, &|news| {
+            let mut heard = heard.lock().unwrap();
+            heard.push(news);
+            if stop_at.is_some_and(|at| heard.len() >= at) {
+                ticket.cancel();
+            }
+        });
+        heard.into_inner().unwrap()
+    };
+    // Ended at its second word, and gone on with by the form as it stands.
+    let script = format!("mA{EXAMPLE}");
+    let ended = run(&order(press(&mut app, &script)), Some(2));
+    for news in ended {
+        app.update(Message::Work(news));
+    }
+    assert!(bottom(&app).contains("not adopted yet"), "{}", bottom(&app));
+    let kept = folder.path().join("site.adopt-example-6x8-2.2/laws.txt");
+    let lines = std::fs::read_to_string(&kept).unwrap().lines().count();
+    assert!(lines >= 1, "{lines}");
+    let news = run(&order(press(&mut app, "mA<PgDn><Enter>")), None);
+    assert!(news.iter().any(|news| matches!(&news.what, What::Step(_))));
+    for news in news {
+        app.update(Message::Work(news));
+    }
+    let shown = text(&app);
+    assert!(bottom(&app).contains("mesh example-6x8-2.2 adopted and given to"), "{shown}");
+    assert_eq!(app.layout().mesh, "example-6x8-2.2");
+    press(&mut app, "i");
+    let shown = text(&app);
+    assert!(shown.contains("example-6x8-2.2") || shown.contains("Example 6x8, 2.2"), "{shown}");
+    press(&mut app, "<Esc>u");
+    assert_eq!(app.layout().mesh, "dt-8x10-2.7");
+}
