@@ -12,6 +12,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl App {
+    /// Offers meshes of the user's own in the list of meshes.
+    pub fn offer(&mut self, own: Vec<Arc<MeshType>>) {
+        self.editor.offer(own);
+    }
+
     /// Shows the form, as it was left.
     pub(super) fn show_adopt_form(&mut self) {
         let form = self.screen.take_left_form();

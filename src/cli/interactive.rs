@@ -83,6 +83,8 @@ fn run(
         let _ = home.remember(path);
     }
     let path = document.path().map(Path::to_path_buf);
+    // A catalogue that cannot be read is no reason not to start; `meshcast mesh list` says why.
+    let own = home.own_meshes().unwrap_or_default();
     let (host, Beginning { kept, holder, note: of_file }) = FileHost::new(document, home);
     let notes: Vec<String> = [bad_settings, note, of_file].into_iter().flatten().collect();
     let note = (!notes.is_empty()).then(|| notes.join("; "));
@@ -98,5 +100,6 @@ fn run(
         size: (80, 24),
         preferences,
     });
+    app.offer(own);
     session.run(&mut app, Arc::new(host))
 }

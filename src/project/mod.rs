@@ -27,6 +27,7 @@ mod kept;
 mod load;
 pub(crate) mod method_files;
 mod migrate;
+mod own_meshes;
 mod patch;
 mod read;
 mod recovery;

@@ -102,8 +102,24 @@ fn an_example_mesh_is_adopted_into_a_project_that_needs_nothing_else() {
     let mut others = resumed.clone();
     others[5] = "21";
     assert!(refused(&others).contains("begun with other values"));
-    let ran = run(&resumed);
-    assert_eq!(ran.code, 0, "{}", ran.err);
+    // On request it comes into the user's own catalogue too, never in place of another one.
+    let home = folder.path().join("home");
+    let with_home = |arguments: &[&str]| {
+        let mut command = command(arguments);
+        super::ran(command.env("MESHCAST_DATA_DIR", &home).output().unwrap())
+    };
+    let resumed = [&resumed[..], &["--catalogue"]].concat();
+    let ended = with_home(&resumed);
+    assert_eq!(ended.code, 0, "{}", ended.err);
+    assert!(ended.err.contains("kept in your catalogue too"), "{}", ended.err);
+    assert!(with_home(&["mesh", "list"]).out.contains("example-6x8-2.2"));
+    assert!(with_home(&["mesh", "show", "example-6x8-2.2"]).out.contains("20 kN"));
+    let own = fs::read(home.join("meshes.ron")).unwrap();
+    let third = folder.path().join("third.ron");
+    let refused = with_home(&example(shown(&third), &["--catalogue"]));
+    assert_eq!(refused.code, 2, "{}", refused.err);
+    assert!(refused.err.contains("already, which stays"), "{}", refused.err);
+    assert!(fs::read(home.join("meshes.ron")).unwrap() == own && !third.exists());
     assert!(fs::read_to_string(&again).unwrap() == text, "other bytes");
     assert!(!on_the_way.exists());
 

@@ -9,7 +9,7 @@ use meshcast::job::{News, Ticket};
 use meshcast::layout::MethodChoice;
 use meshcast::mesh::catalogue;
 use meshcast::problem::Problem;
-use meshcast::project::Project;
+use meshcast::project::{MeshUse, Project};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
@@ -52,7 +52,9 @@ fn what_is_wrong_is_marked_in_its_row_and_nothing_is_lost() {
     press(&mut app, "mAmine<Enter>20<Enter><Enter>0.9<PgDn>");
     let press_last = |app: &mut App| press(app, "<Enter>");
     assert!(press_last(&mut app).is_empty());
-    assert!(text(&app).contains(">kind") && text(&app).contains("mean or characteristic?"));
+    assert!(
+        text(&app).contains(">kind") && text(&app).contains("mean, characteristic or minimum?")
+    );
     press(&mut app, "m<PgDn>a sheet<Enter>");
     // The punch of 1 m does not fit into a panel of 0.9 m.
     let shown = text(&app);
@@ -196,4 +198,17 @@ fn the_example_is_adopted_from_end_to_end_by_keys() {
     assert!(shown.contains("example-6x8-2.2") || shown.contains("Example 6x8, 2.2"), "{shown}");
     press(&mut app, "<Esc>u");
     assert_eq!(app.layout().mesh, "dt-8x10-2.7");
+}
+
+#[test]
+fn a_mesh_of_the_users_own_is_offered_and_written_into_the_project() {
+    let mut app = start(road_cut(), (80, 24), MONO);
+    app.offer(vec![canned()]);
+    press(&mut app, "m");
+    assert!(text(&app).contains("mine"), "{}", text(&app));
+    press(&mut app, "<PgDn><Enter>");
+    assert_eq!(app.layout().mesh, "mine");
+    let held = &app.project().meshes;
+    let inline = |held: &MeshUse| matches!(held, MeshUse::Inline(mesh) if mesh.id == "mine");
+    assert!(held.iter().any(inline), "{held:?}");
 }

@@ -533,7 +533,7 @@ fn a_mesh_is_added_by_a_form_and_saved_with_the_project() {
     // Help lies over it and gives it back; a q is text here, and Enter goes through the rows.
     press(&mut app, "ht?<Esc>q<Enter>High tensile<Enter>180<Enter>450 mm<Enter>");
     press(&mut app, "<Enter><Enter><Enter>the maker's sheet<Enter>");
-    assert!(text(&app).contains("mean or characteristic?"), "{}", text(&app));
+    assert!(text(&app).contains("mean, characteristic or minimum?"), "{}", text(&app));
     assert_eq!(app.layout().mesh, before);
     press(&mut app, "c<Enter><Enter><Enter><Enter>");
     assert_eq!(app.layout().mesh, "htq");

@@ -329,8 +329,13 @@ impl Editor {
         let written_out = |id: &str| {
             self.project.meshes.iter().any(|m| matches!(m, MeshUse::Inline(mesh) if mesh.id == id))
         };
-        let meshes = self.project.available_meshes().into_iter();
-        meshes.map(|mesh| MeshChoice { inline: written_out(&mesh.id), mesh }).collect()
+        let mut meshes = self.project.available_meshes();
+        for mesh in &self.own {
+            if !meshes.iter().any(|there| there.id == mesh.id) {
+                meshes.push(mesh.clone());
+            }
+        }
+        meshes.into_iter().map(|mesh| MeshChoice { inline: written_out(&mesh.id), mesh }).collect()
     }
 
     /// Gives the selected layout a mesh, by its identifier; the project then names it too.
@@ -346,7 +351,13 @@ impl Editor {
             let known: Vec<&str> = choices.iter().map(|c| c.mesh.id.as_str()).collect();
             return Err(format!("no mesh {id:?}; there are: {}", known.join(", ")));
         }
-        self.give_mesh(MeshUse::Catalogue(id.to_string()));
+        // Whoever gets the project has no catalogue of this user's.
+        let own = self.own.iter().find(|mesh| mesh.id == id);
+        let own = own.filter(|_| self.project.find_mesh(id).is_none());
+        self.give_mesh(match own {
+            Some(mesh) => MeshUse::Inline(mesh.clone()),
+            None => MeshUse::Catalogue(id.to_string()),
+        });
         Ok(())
     }
 

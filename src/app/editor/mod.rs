@@ -12,7 +12,7 @@ pub(super) use layouts::{GridKind, MeshChoice};
 use super::derived::{self, LayoutResult};
 use crate::case::{Case, Input};
 use crate::layout;
-use crate::mesh::REFERENCE_ID;
+use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem::Problem;
 use crate::project::schema::{NamedLayout, Project};
 use crate::study::result::CheckResult;
@@ -38,6 +38,8 @@ pub(super) struct Editor {
     stand_in: (NamedLayout, LayoutResult),
     /// A unit asked for beside the project: it is not the project's and never saved.
     units: ChosenUnits,
+    /// Meshes of the user's own, which a project that takes one holds itself.
+    own: Vec<Arc<MeshType>>,
 }
 
 impl Editor {
@@ -60,7 +62,13 @@ impl Editor {
                 },
             ),
             units,
+            own: Vec::new(),
         }
+    }
+
+    /// Offers meshes of the user's own.
+    pub(super) fn offer(&mut self, own: Vec<Arc<MeshType>>) {
+        self.own = own;
     }
 
     /// The project as it stands.

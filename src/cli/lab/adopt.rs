@@ -16,7 +16,7 @@ use crate::lab::fit::say::remarks;
 use crate::layout::{Blocks, Layout, MethodChoice, REFERENCE};
 use crate::mesh::adopted::Adopted;
 use crate::mesh::{MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
-use crate::project::home::typed_path;
+use crate::project::home::{Home, typed_path};
 use crate::project::{
     MeshUse, NamedLayout, Opened, Overwrite, Project, SaveError, load, parse, write,
 };
@@ -73,6 +73,9 @@ pub(crate) struct AdoptArgs {
     /// Arrangement of blocks that gets a campaign and a map of its own beside repeated blocks; may be given twice.
     #[arg(long, value_name = "BLOCKS", value_parser = one_of(&MORE))]
     blocks: Vec<Blocks>,
+    /// Keeps the mesh in your own catalogue too, from which other projects can take it.
+    #[arg(long)]
+    catalogue: bool,
     /// Goes on with an adoption that was cut off.
     #[arg(long)]
     resume: bool,
@@ -93,6 +96,10 @@ pub(crate) fn run(args: &AdoptArgs) -> CommandEnd {
     };
     let mut opened = open(&path, &id, &args.name)?;
     let plan = plan(args, id)?;
+    let home = Home::find();
+    if args.catalogue {
+        own(&home, &plan.words.id)?;
+    }
     let folder = folder(&path, &plan.words.id);
     let advice = format!("give --resume to go on with it, or remove {}", folder.display());
     let watch = Watch::start();
@@ -114,11 +121,32 @@ pub(crate) fn run(args: &AdoptArgs) -> CommandEnd {
     };
     let [fitted, ran] = made.seconds;
     watch.finish(&format!("laws {fitted:.1} s, campaign and method {ran:.1} s"));
-    let notes = remarks(&plan.data, &made.found);
+    let mut notes = remarks(&plan.data, &made.found);
     let mesh = Arc::new(made.mesh);
     put(&mut opened, &path, &mesh)?;
+    if args.catalogue {
+        // The project has it; what is kept on the way can go.
+        match home.keep_own_mesh(&mesh) {
+            Ok(file) => notes.push(format!("kept in your catalogue too: {}", file.display())),
+            Err(why) => notes.push(format!("not kept in your catalogue: {why}")),
+        }
+    }
     remove(&folder);
     Ok(Output { result: text(&mesh, &path), notes, ..Output::default() })
+}
+
+/// Whether the user's own catalogue can take a mesh of this identifier.
+fn own(home: &Home, id: &str) -> Result<(), Fault> {
+    let Some(file) = home.meshes_file() else {
+        return Err(Fault::input("--catalogue: there is no folder for a catalogue of your own"));
+    };
+    if home.own_meshes()?.iter().any(|mesh| mesh.id == id) {
+        return Err(Fault::input(format!(
+            "--catalogue: {} has a mesh {id:?} already, which stays; choose another name",
+            file.display()
+        )));
+    }
+    Ok(())
 }
 
 /// What is asked for.

@@ -3,6 +3,7 @@
 use super::show::{object, strength_object};
 use crate::cli::output::{CommandEnd, Format, json, result};
 use crate::mesh::{catalogue, strength};
+use crate::project::Home;
 use crate::show::value::Value;
 use crate::units::{Units, force_text, maybe_length_text, shortest};
 use std::fmt::Write;
@@ -10,9 +11,15 @@ use std::fmt::Write;
 /// The catalogue, one line a mesh, or as a JSON list of what `mesh show` prints.
 pub(crate) fn run(format: Format) -> CommandEnd {
     let meshes = catalogue::all();
+    let own = Home::find().own_meshes()?;
     if format == Format::Json {
         let records = strength::all().iter().map(strength_object);
-        let all: Value = meshes.iter().map(|m| object(m)).chain(records).collect();
+        let all: Value = meshes
+            .iter()
+            .map(|m| object(m))
+            .chain(own.iter().map(|m| object(m)))
+            .chain(records)
+            .collect();
         return result(json(&all)? + "\n");
     }
     let widest = |text: fn(&crate::mesh::MeshType) -> &str, least: usize| {
@@ -49,6 +56,13 @@ pub(crate) fn run(format: Format) -> CommandEnd {
         );
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{}", line.trim_end());
+    }
+    if !own.is_empty() {
+        out.push_str("\nof your own, to be taken into a project with m:\n");
+    }
+    for mesh in own {
+        let force = force_text(mesh.laboratory.force);
+        let _ = writeln!(out, "{:<20}  {:>8}  {}", mesh.id, force, mesh.title());
     }
     out.push_str("\nstrength of the net alone, no forecast (mesh show ID says what is missing):\n");
     for record in strength::all() {

@@ -6,6 +6,7 @@ use crate::forecast::ratios;
 use crate::mesh::strength::StrengthRecord;
 use crate::mesh::wire::{CurvePoint, Slack, WireData};
 use crate::mesh::{MeshType, catalogue, strength};
+use crate::project::Home;
 use crate::show::objects::pair;
 use crate::show::value::{Object, Value, exact};
 use crate::units::{Units, length_entry, shortest, to_kn};
@@ -19,7 +20,8 @@ pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
             Format::Text => result(strength_text(record)),
         };
     }
-    let Some(mesh) = catalogue::find(id) else {
+    let own = || Home::find().own_meshes().ok()?.into_iter().find(|mesh| mesh.id == id);
+    let Some(mesh) = catalogue::find(id).or_else(own) else {
         let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
         return Err(Fault::input(unknown_mesh("ID", id, &known)));
     };

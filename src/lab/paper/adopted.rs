@@ -214,8 +214,7 @@ mod tests {
         let spread = Spread { mean: 20_000.0, deviation: 1600.0, error: 400.0, band: [0.0; 2] };
         let (mean, one) = ranges([(2.0, spread)].into_iter());
         // By hand: 1.42 x hypot(0.02, 0.015) = 0.0355 and hypot(0.0355, 0.08) = 0.087523; 1.645 of each.
-        let by_hand =
-            |sigma: f64| [-1.0, 0.0, 1.0].map(|k| 20_000.0 * (k * 1.645 * sigma).exp());
+        let by_hand = |sigma: f64| [-1.0, 0.0, 1.0].map(|k| 20_000.0 * (k * 1.645 * sigma).exp());
         for (made, wanted) in mean.iter().zip(by_hand(0.0355)) {
             assert!((made / wanted - 1.0).abs() < 1e-5, "{mean:?}");
         }
