@@ -43,7 +43,7 @@ impl AdoptJob {
         match self.adopt(threads, ticket, say) {
             Ok(Some(adopted)) => say(adopted),
             Ok(None) => say(What::Told(Ok(format!(
-                "{} is not adopted yet; what is done is kept, and the same goes on (m, then A)",
+                "{}: what is done is kept; m and A go on with it",
                 self.words.id
             )))),
             Err(AdoptFault::Problems(problems)) => {

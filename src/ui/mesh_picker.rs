@@ -57,15 +57,22 @@ pub(crate) fn draw(
         ),
         format!("standard: {}", if lab.standard.is_empty() { "not stated" } else { &lab.standard }),
     ];
-    lines.push(match &choice.mesh.ratios {
-        Some(r) => format!(
+    lines.push(match (&choice.mesh.ratios, &choice.mesh.adopted) {
+        (Some(r), _) => format!(
             "its own ratios: alpha_F {:.3}, alpha_delta {:.3}; {}",
             r.force, r.deflection, r.source
         ),
-        None if choice.mesh.reference => {
+        (None, Some(a)) => format!(
+            "adopted by {}: the reference panel holds {}, the laws that fit {} to {}",
+            a.quality.word(),
+            force_text(a.middle),
+            force_text(a.low),
+            force_text(a.high)
+        ),
+        (None, None) if choice.mesh.reference => {
             "the mesh of the paper: the default ratios are its own".into()
         }
-        None => "no ratios of its own: the reference's are assumed, with a warning".into(),
+        (None, None) => "no ratios of its own: the reference's are assumed, with a warning".into(),
     });
     lines.push(format!("source: {}", lab.source));
     sentences(buf, below, (1, usize::from(below.width).saturating_sub(3)), &lines, theme);

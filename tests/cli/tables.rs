@@ -1,6 +1,6 @@
 //! `validate` and `mesh`.
 
-use super::{good, json};
+use super::{file, good, json, refused, shown};
 use serde_json::Value;
 
 #[test]
@@ -52,8 +52,26 @@ fn the_mesh_list_names_every_mesh() {
         assert!(row.contains(word), "{row}");
     }
     let list = json(&["mesh", "list"]);
-    assert_eq!(list.as_array().unwrap().len(), out.lines().count() - 1);
+    let rows = out.lines().filter(|line| line.contains(" kN")).count();
+    assert_eq!(list.as_array().unwrap().len(), rows);
     assert_eq!(list[0], json(&["mesh", "show", "dt-8x10-2.7"]));
+}
+
+#[test]
+fn a_mesh_of_which_the_strength_alone_is_known_says_what_is_missing() {
+    let id = "astm-a975-8x10-2.7";
+    let out = good(&["mesh", "list"]);
+    let row = out.lines().find(|line| line.starts_with(id)).unwrap();
+    assert!(row.contains("42.3 kN/m  min   ASTM A975 1997"), "{row}");
+    let told = good(&["mesh", "show", id]);
+    assert!(told.contains("(minimum)") && told.contains("MISSING"), "{told}");
+    assert!(json(&["mesh", "show", id])["missing"].as_str().unwrap().contains("ISO 17746"));
+    let e = refused(&["forecast", "--mesh", id]);
+    assert!(e.contains("only the strength of the net is published") && e.contains("adopt"), "{e}");
+    let (_directory, path) =
+        file("p.ron", &format!("(version: 1, name: \"x\", meshes: [\"{id}\"], layouts: [])"));
+    let e = refused(&["compare", shown(&path)]);
+    assert!(e.contains("only the strength of the net is published"), "{e}");
 }
 
 #[test]

@@ -181,7 +181,7 @@ fn the_example_is_adopted_from_end_to_end_by_keys() {
     for news in ended {
         app.update(Message::Work(news));
     }
-    assert!(bottom(&app).contains("not adopted yet"), "{}", bottom(&app));
+    assert!(bottom(&app).contains("what is done is kept; m and A"), "{}", bottom(&app));
     let kept = folder.path().join("site.adopt-example-6x8-2.2/laws.txt");
     let lines = std::fs::read_to_string(&kept).unwrap().lines().count();
     assert!(lines >= 1, "{lines}");

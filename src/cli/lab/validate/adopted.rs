@@ -54,7 +54,7 @@ fn text(made: &[AdoptedFrom]) -> String {
         let _ = writeln!(out, "\n{}, {} laws", from.words, from.laws);
         let _ = writeln!(
             out,
-            "  {:<24}{:>7}   {:<21}{:<5}{:<14}",
+            "  {:<24}{:>7}   {:<23}{:<5}{:<16}",
             "", "paper", "mean, 5 to 95 %", "", "one run"
         );
         for row in &from.rows {
@@ -64,7 +64,7 @@ fn text(made: &[AdoptedFrom]) -> String {
             let word = |range| if row.within(range) { "in" } else { "OUT" };
             let _ = writeln!(
                 out,
-                "  {:<22}{:>2}{:>7}   {:<7}{:<14}{:<5}{:<14} {}",
+                "  {:<22}{:>2}{:>7}   {:<7}{:<16}{:<5}{:<16} {}",
                 row.case,
                 unit,
                 shown(row, row.paper),
