@@ -8,7 +8,7 @@ use crate::lab::fit::sheet::Sheet;
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
 use crate::problem::Problem;
 use crate::project::home::typed_path;
-use crate::units::{LengthUnit, Quantity, from_kn, parse_typed};
+use crate::units::{Quantity, Units, from_kn, parse_typed};
 use crate::words::Choice;
 use std::path::{Path, PathBuf};
 
@@ -107,7 +107,7 @@ pub(super) fn refusal(problem: &Problem) -> Refusal {
 ///
 /// # Errors
 /// The first thing that is wrong.
-pub(super) fn typed(form: &MeshForm, unit: LengthUnit) -> Result<Typed, Refusal> {
+pub(super) fn typed(form: &MeshForm, unit: Units) -> Result<Typed, Refusal> {
     let number = |field: &'static str, quantity| match form.text(field) {
         "" => Ok(None),
         text => parse_typed(text, quantity, unit).map(Some).map_err(|e| (field, e.to_string())),
@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn what_is_typed_is_read_with_its_units_and_the_rest_is_as_it_is_mostly() {
-        let made = typed(&filled(&EXAMPLE), LengthUnit::Metre).unwrap();
+        let made = typed(&filled(&EXAMPLE), Units::METRES).unwrap();
         assert_eq!(made.words.id, "example-6x8-2.2");
         assert!(made.words.example && made.words.statistic == Statistic::Mean);
         assert_eq!(
@@ -215,7 +215,7 @@ mod tests {
         assert_eq!((made.sheet.panel, made.sheet.punch, made.runs), (3.0, 1.0, 160));
         // Bare lengths are in the unit of the screen.
         let with = [&EXAMPLE[..], &[("--panel", "1600"), ("--punch", "500")]].concat();
-        let made = typed(&filled(&with), LengthUnit::Millimetre).unwrap();
+        let made = typed(&filled(&with), Units::MILLIMETRES).unwrap();
         assert_eq!((made.sheet.panel, made.sheet.punch), (1.6, 0.5));
     }
 
@@ -233,14 +233,14 @@ mod tests {
         ] {
             let rest = EXAMPLE.iter().filter(|(known, _)| *known != field).copied();
             let values: Vec<(&str, &str)> = rest.chain([(field, text)]).collect();
-            let (named, why) = typed(&filled(&values), LengthUnit::Metre).err().unwrap();
+            let (named, why) = typed(&filled(&values), Units::METRES).err().unwrap();
             // A panel that no punch fits into is said of the punch.
             let row = if field == "--panel" { "--punch" } else { field };
             assert!(named == row && why.contains(part) && !why.contains("--"), "{named}: {why}");
         }
         for missing in ["--name", "--force", "--kind", "--source"] {
             let rest: Vec<_> = EXAMPLE.into_iter().filter(|(field, _)| *field != missing).collect();
-            assert_eq!(typed(&filled(&rest), LengthUnit::Metre).err().unwrap().0, missing);
+            assert_eq!(typed(&filled(&rest), Units::METRES).err().unwrap().0, missing);
         }
     }
 }

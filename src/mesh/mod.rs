@@ -100,6 +100,7 @@ pub enum Statistic {
     #[serde(alias = "characteristic")]
     Characteristic,
     /// Least value that every piece must reach, as a product standard demands it.
+    #[serde(alias = "minimum")]
     Minimum,
 }
 

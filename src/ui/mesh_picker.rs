@@ -65,9 +65,9 @@ pub(crate) fn draw(
         (None, Some(a)) => format!(
             "adopted by {}: the reference panel holds {}, the laws that fit {} to {}",
             a.quality.word(),
-            force_text(a.middle),
-            force_text(a.low),
-            force_text(a.high)
+            force_text(a.middle, app.units()),
+            force_text(a.low, app.units()),
+            force_text(a.high, app.units())
         ),
         (None, None) if choice.mesh.reference => {
             "the mesh of the paper: the default ratios are its own".into()

@@ -160,7 +160,7 @@ fn the_example_is_adopted_from_end_to_end_by_keys() {
         kept: None,
         holder: None,
         look: MONO,
-        units: None,
+        units: meshcast::units::ChosenUnits::default(),
         size: (80, 24),
         preferences: meshcast::app::settings::Preferences::default(),
     });

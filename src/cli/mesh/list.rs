@@ -61,7 +61,7 @@ pub(crate) fn run(format: Format) -> CommandEnd {
         out.push_str("\nof your own, to be taken into a project with m:\n");
     }
     for mesh in own {
-        let force = force_text(mesh.laboratory.force);
+        let force = force_text(mesh.laboratory.force, Units::METRES);
         let _ = writeln!(out, "{:<20}  {:>8}  {}", mesh.id, force, mesh.title());
     }
     out.push_str("\nstrength of the net alone, no forecast (mesh show ID says what is missing):\n");
