@@ -46,7 +46,7 @@ pub enum Context {
 
 impl Context {
     /// All screens, in the order of the help.
-    pub(crate) const ALL: [Context; 19] = [
+    pub(crate) const ALL: [Context; 20] = [
         Context::Main,
         Context::Empty,
         Context::Pager,

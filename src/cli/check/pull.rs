@@ -2,7 +2,7 @@
 
 use super::CheckArgs;
 use crate::cli::VERSION;
-use crate::cli::output::{CommandEnd, Fault, Output, TableFormat, csv_as, json, wrapped};
+use crate::cli::output::{CommandEnd, Fault, Output, json, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
 use crate::dem::RunProgress;
@@ -56,11 +56,11 @@ pub(super) fn run(args: &CheckArgs, pull: Pull) -> CommandEnd {
     }
     watch.finish(&format!("{} pulls", made.len()));
     let pulled = Pulled { pull, sides: [width, length], wire, made };
-    let result = match args.format {
-        TableFormat::Text => pulled.text(),
-        TableFormat::Json => json(&pulled.object())? + "\n",
-        TableFormat::Csv | TableFormat::CsvComma => csv_as(args.format, pulled.csv()),
-    };
+    let result = args.format.write(
+        || pulled.text(),
+        || Ok(json(&pulled.object())? + "\n"),
+        || pulled.csv(),
+    )?;
     let interrupted = pulled.made.len() < runs;
     let failed = !interrupted && pulled.made.iter().all(|one| one.broke.is_none());
     Ok(Output { result, failed, interrupted, ..Output::default() })
