@@ -53,7 +53,7 @@ fn a_marked_paste_on_the_main_screen_is_a_value_or_is_refused() {
     pty.send("\x1b[200~xxq\r\x1b[201~");
     pty.wait_for("nothing was pasted");
     pty.send("\x1b[200~0.31\x1b[201~");
-    pty.wait_for("Enter takes");
+    pty.wait_for("side of the square anchor plate");
     pty.send("\r");
     pty.wait_for("0.31 m");
 }
