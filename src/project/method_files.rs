@@ -71,6 +71,20 @@ pub(super) fn resolve(project: &mut Project, of: &Path) -> Result<(), LoadError>
     Ok(())
 }
 
+/// Whether a project finds the methods that it has beside another file too, so that what is saved there can
+/// be opened again and gives the same.
+///
+/// # Errors
+/// The name of the first that is not there.
+pub(super) fn follow(project: &Project, to: &Path) -> Result<(), String> {
+    let folder = to.parent().unwrap_or(Path::new(""));
+    let away = project.method_files.iter().find(|named| {
+        let there = read(&folder.join(&named.file)).ok().map(KeptMethod::keep);
+        there.is_none() || there != named.method
+    });
+    away.map_or(Ok(()), |named| Err(named.file.clone()))
+}
+
 /// That methods cannot be looked for.
 pub(super) fn nowhere(project: &Project, shown: &str) -> Result<(), LoadError> {
     match project.method_files.first() {
@@ -89,4 +103,45 @@ fn refused(of: &Path, index: usize, file: &str, why: &str) -> LoadError {
         .advice("name another one or take it out; paths are from the project's folder");
     let fault = FileFault { problem, ..FileFault::whole("", String::new()) };
     LoadError::new(&of.display().to_string(), Cause::BadInput, vec![fault])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::save::Overwrite;
+    use super::super::{SaveError, load};
+    use crate::mesh::catalogue;
+    use crate::method::{DerivedMethod, canned};
+    use std::fs;
+
+    /// Seen: a project was saved into another folder and could not be opened there, for its method stayed where
+    /// it was. Cause: its text was looked at before it was written, and not what it names.
+    #[test]
+    fn a_project_is_saved_only_where_it_finds_its_methods() {
+        let dir = tempfile::tempdir().unwrap();
+        let [here, there] = ["here", "there"].map(|name| dir.path().join(name));
+        fs::create_dir(&here).unwrap();
+        fs::create_dir(&there).unwrap();
+        let reference = catalogue::reference();
+        let wires = reference.wire.as_ref().unwrap().print().to_string();
+        let canned = DerivedMethod { mesh: reference.id.clone(), wires, ..canned::method() };
+        let method = ron::ser::to_string(&canned).unwrap();
+        fs::write(here.join("m.ron"), &method).unwrap();
+        let text = "(version: 2, name: \"p\", meshes: [\"dt-8x10-2.7\"], method_files: [\"m.ron\"], layouts: [])";
+        fs::write(here.join("p.ron"), text).unwrap();
+        let mut opened = load(&here.join("p.ron")).unwrap();
+        let mut save = |name| {
+            opened.document.save_as(&there.join(name), &opened.project, Overwrite::No).map(|_| ())
+        };
+        let said = save("q.ron").unwrap_err();
+        assert!(matches!(said, SaveError::MethodAway(_)), "{said}");
+        assert!(said.to_string().contains("m.ron") && !there.join("q.ron").exists(), "{said}");
+        // Another method of that name is not this one.
+        let mut other = canned.clone();
+        other.alpha.force *= 1.1;
+        fs::write(there.join("m.ron"), ron::ser::to_string(&other).unwrap()).unwrap();
+        assert!(save("q.ron").is_err());
+        fs::write(there.join("m.ron"), &method).unwrap();
+        save("q.ron").unwrap();
+        assert_eq!(load(&there.join("q.ron")).unwrap().project.method_files.len(), 1);
+    }
 }

@@ -5,6 +5,7 @@ use super::document::{Document, holds};
 use super::draft::{self, Draft, Place};
 use super::hold::{Held, hold};
 use super::load;
+use super::method_files;
 use super::patch::Rendered;
 use super::schema::Project;
 use super::write::Unwritable;
@@ -61,6 +62,9 @@ pub enum SaveError {
     /// A save makes a new file, and that would not be all that the old one is.
     #[error("{} would lose {}; save again to go on, or save under another name", .0.display(), .1.join(", "))]
     Loses(PathBuf, Vec<String>),
+    /// The project names a method by a file that it would not find from there.
+    #[error("copy {0} into that folder first: the project looks for it there")]
+    MethodAway(String),
     /// The project itself is wrong.
     #[error("the project cannot be saved: {}", summary(.0))]
     Unsound(Vec<Problem>),
@@ -137,6 +141,7 @@ impl Document {
             return self.save(project, overwrite);
         }
         let rendered = self.checked_text(project)?;
+        method_files::follow(project, path).map_err(SaveError::MethodAway)?;
         let target = resolve(path)?;
         let held = hold(&target)?;
         if held.is_some() && overwrite == Overwrite::No {
