@@ -9,6 +9,7 @@ use super::read;
 use super::text::parser;
 use super::write::commented;
 use crate::mesh::MeshType;
+use crate::problem::Problem;
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -78,8 +79,14 @@ fn meshes(bytes: Vec<u8>, shown: &str) -> Result<Vec<Arc<MeshType>>, LoadError> 
     for (k, mesh) in all.iter().enumerate() {
         if let Err(problems) = mesh.check() {
             let at = format!("[{k}]");
-            let found = |p| Found::located(&tree.root, crate::problem::Problem::under(p, &at));
+            let found = |p| Found::located(&tree.root, Problem::under(p, &at));
             return Err(place(problems.into_iter().map(found).collect(), Some(&tree)));
+        }
+        if all[..k].iter().any(|before| before.id == mesh.id) {
+            let twice =
+                Problem::new(format!("[{k}].id"), "another mesh of the file has this identifier")
+                    .value(&mesh.id);
+            return Err(place(vec![Found::located(&tree.root, twice)], Some(&tree)));
         }
     }
     Ok(all.into_iter().map(Arc::new).collect())
@@ -122,6 +129,10 @@ mod tests {
         assert!(home.own_meshes().is_err());
         assert!(home.keep_own_mesh(&mesh("three")).unwrap_err().contains("meshes.ron"));
         assert_eq!(std::fs::read_to_string(&file).unwrap(), "[(id: \"x\"");
+        // Which of two would be meant cannot be known.
+        std::fs::write(&file, text.replace("\"two\"", "\"one\"")).unwrap();
+        let twice = home.own_meshes().unwrap_err().to_string();
+        assert!(twice.contains("another mesh of the file"), "{twice}");
         assert!(Home::at(None).keep_own_mesh(&mesh("one")).is_err());
     }
 }

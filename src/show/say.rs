@@ -5,6 +5,7 @@ use crate::curve::Point;
 use crate::forecast::field::Branch;
 use crate::forecast::{Field, Strength};
 use crate::layout::{Layout, Twists};
+use crate::mesh::adopted::Adopted;
 use crate::method::DerivedMethod;
 use crate::study::checks::Difference;
 use crate::study::checks::figures::Figures;
@@ -85,6 +86,17 @@ pub(crate) fn point_at_load(p: &CasePoint, unit: Units, place: &str) -> String {
 /// `, use 37.3 %`; nothing where no design force is set.
 pub(crate) fn used(utilisation: Option<f64>) -> String {
     utilisation.map_or(String::new(), |u| format!(", use {} %", percent(u)))
+}
+
+/// What the law of an adopted mesh rests on, and how far those that fit differ.
+pub(crate) fn adopted(a: &Adopted, unit: Units) -> String {
+    format!(
+        "{}: the reference panel (d 0.32, L 3, D 1 m) holds {}, 90 % of the laws that fit {} to {}",
+        a.quality.word(),
+        force_text(a.middle, unit),
+        force_text(a.low, unit),
+        force_text(a.high, unit)
+    )
 }
 
 /// Which derived method gave a panel, what it rests on and how much single panels scatter about it.

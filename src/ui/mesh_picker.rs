@@ -5,6 +5,7 @@ use super::list::{entry, sentences};
 use super::text::{clear, heading, spot};
 use super::theme::Theme;
 use crate::app::App;
+use crate::show::say;
 use crate::units::{force_text, length_text, maybe_length_text};
 use crate::words::Choice;
 use ratatui::buffer::Buffer;
@@ -62,13 +63,7 @@ pub(crate) fn draw(
             "its own ratios: alpha_F {:.3}, alpha_delta {:.3}; {}",
             r.force, r.deflection, r.source
         ),
-        (None, Some(a)) => format!(
-            "adopted by {}: the reference panel holds {}, the laws that fit {} to {}",
-            a.quality.word(),
-            force_text(a.middle, app.units()),
-            force_text(a.low, app.units()),
-            force_text(a.high, app.units())
-        ),
+        (None, Some(a)) => format!("adopted by {}", say::adopted(a, app.units())),
         (None, None) if choice.mesh.reference => {
             "the mesh of the paper: the default ratios are its own".into()
         }

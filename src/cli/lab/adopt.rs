@@ -14,13 +14,13 @@ use crate::lab::campaign::{EXPECTED_BREAK, FEWEST_FOR_METHOD};
 use crate::lab::fit::posterior::IdentifyOptions;
 use crate::lab::fit::say::remarks;
 use crate::layout::{Blocks, Layout, MethodChoice, REFERENCE};
-use crate::mesh::adopted::Adopted;
 use crate::mesh::{MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
 use crate::project::home::{Home, typed_path};
 use crate::project::{
     MeshUse, NamedLayout, Opened, Overwrite, Project, SaveError, load, parse, write,
 };
-use crate::units::{shortest, significant, to_kn};
+use crate::show::say;
+use crate::units::{Units, shortest, significant, to_kn};
 use crate::words::Choice;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -257,17 +257,9 @@ fn text(mesh: &MeshType, path: &Path) -> String {
             shortest(lab.punch)
         ),
     );
-    if let Some(Adopted { quality, low, middle, high, methods }) = &mesh.adopted {
-        let kn = |v: &f64| significant(to_kn(*v), 3);
-        let range = format!(
-            "{}; anchored reference (d 0.32, L 3, D 1 m) {} kN, 5 to 95 % of the laws that fit: {} to {}",
-            quality.word(),
-            kn(middle),
-            kn(low),
-            kn(high)
-        );
-        line("quality", &range);
-        for method in methods.iter().map(|kept| kept.0) {
+    if let Some(adopted) = &mesh.adopted {
+        line("quality", &say::adopted(adopted, Units::METRES));
+        for method in adopted.methods.iter().map(|kept| kept.0) {
             let a = &method.alpha;
             let said = format!(
                 "{}: alpha_F {} +- {}, alpha_delta {} +- {}; {} runs, {}",

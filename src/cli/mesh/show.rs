@@ -8,6 +8,7 @@ use crate::mesh::wire::{CurvePoint, Slack, WireData};
 use crate::mesh::{MeshType, catalogue, strength};
 use crate::project::Home;
 use crate::show::objects::pair;
+use crate::show::say;
 use crate::show::value::{Object, Value, exact};
 use crate::units::{Units, length_entry, shortest, to_kn};
 use crate::words::Choice;
@@ -20,8 +21,11 @@ pub(crate) fn run(id: &str, format: Format) -> CommandEnd {
             Format::Text => result(strength_text(record)),
         };
     }
-    let own = || Home::find().own_meshes().ok()?.into_iter().find(|mesh| mesh.id == id);
-    let Some(mesh) = catalogue::find(id).or_else(own) else {
+    let found = match catalogue::find(id) {
+        None => Home::find().own_meshes()?.into_iter().find(|mesh| mesh.id == id),
+        found => found,
+    };
+    let Some(mesh) = found else {
         let known: Vec<String> = catalogue::all().iter().map(|m| m.id.clone()).collect();
         return Err(Fault::input(unknown_mesh("ID", id, &known)));
     };
@@ -61,6 +65,11 @@ fn text(mesh: &MeshType) -> String {
     line("source", &lab.source);
     let used = ratios::of_mesh(mesh);
     let ratios = format!("alpha_F {:.4}, alpha_delta {:.4}", used.force, used.deflection);
+    if let Some(adopted) = &mesh.adopted {
+        line("adopted", &say::adopted(adopted, Units::METRES));
+        let names: Vec<&str> = adopted.methods.iter().map(|kept| kept.0.name.as_str()).collect();
+        line("methods", &format!("{}; with method: derived", names.join(", ")));
+    }
     match &mesh.ratios {
         Some(own) => {
             line("ratios", &ratios);
