@@ -16,7 +16,7 @@ use super::lattice::{Lattice, Role, bond_of};
 use super::law::Law;
 use super::limits;
 use super::plain::{Damping, Inertia, Plain};
-use super::run::Flow;
+use super::run::{Flow, RunProgress};
 use super::scene::{PLAIN_PHASE, Scene, SceneSpec, Test};
 use super::stability::Eigenvalues;
 use super::stepper::Stepper;
@@ -90,6 +90,18 @@ const DAMPING: f64 = 0.01;
 const SIDES: (f64, f64) = (0.2, 10.0);
 
 impl TensileSpec {
+    /// How far a test is that has come to this elongation, as a part of the length, for who watches runs.
+    pub(crate) fn progress(&self, elongation: f64) -> RunProgress {
+        RunProgress {
+            deflection: elongation * self.length,
+            force: 0.0,
+            utilisation: 0.0,
+            limit: self.length,
+            steps: 0,
+            broken: false,
+        }
+    }
+
     /// Sides of the piece in x (across the twists) and y, m.
     fn sides(&self) -> [f64; 2] {
         match self.pull {

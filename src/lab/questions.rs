@@ -7,9 +7,7 @@
 use super::bench::Listener;
 use super::estimates::drawn_scene;
 use crate::dem::hash::{hash, uniform};
-use crate::dem::{
-    Arrangement, Controls, Fidelity, Flow, PLAIN_PHASE, REVISION, SceneSpec, Stop, Test,
-};
+use crate::dem::{Controls, Fidelity, Flow, REVISION, SceneSpec, Stop, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
@@ -116,14 +114,7 @@ impl PairTable {
 const PAIRS: usize = 8;
 
 fn spec(layout: Layout) -> SceneSpec {
-    SceneSpec {
-        layout,
-        test: Test::Anchored,
-        wire: laws::reference(),
-        phase: PLAIN_PHASE,
-        seed: 0,
-        arrangement: Arrangement::default(),
-    }
+    SceneSpec::plain(layout, Test::Anchored, laws::reference())
 }
 
 /// The four layouts of the aims, two of them eccentric.

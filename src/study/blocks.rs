@@ -164,7 +164,6 @@ pub(crate) fn word(arrangement: Arrangement) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::PLAIN_PHASE;
     use crate::layout::REFERENCE;
     use crate::mesh::laws;
 
@@ -178,14 +177,7 @@ mod tests {
             blocks,
             ..REFERENCE
         };
-        SceneSpec {
-            layout,
-            test: Test::Anchored,
-            wire: laws::reference(),
-            phase: PLAIN_PHASE,
-            seed: 0,
-            arrangement: Arrangement::default(),
-        }
+        SceneSpec::plain(layout, Test::Anchored, laws::reference())
     }
 
     fn quick(blocks: Blocks) -> Vec<Stood> {

@@ -16,8 +16,8 @@ use crate::dem::{
     Controls, Fidelity, Flow, RunOutcome, RunProgress, Scene, SceneSpec, Stop, check,
 };
 use crate::problem::Problem;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// Revision of the sampling. Raise it with every change after which the same runs are drawn otherwise,
 /// are not as many, or give other figures of the whole: seeds, alignments, the rule that ends an
@@ -113,71 +113,26 @@ pub(crate) fn run_watched(
     finished: &(dyn Fn(usize, &Run) + Sync),
 ) -> Result<Ensemble, Vec<Problem>> {
     let sample = Sample::of(&Scene::new(spec)?, plan);
-    let cancelled = AtomicBool::new(false);
-    let done: Mutex<Vec<Option<Run>>> = Mutex::new(Vec::new());
-    let mut problems = Vec::new();
-    let mut count = 0;
+    let mut runs: Vec<Run> = Vec::new();
+    let mut cancelled = false;
     loop {
-        let goal = sample.goal(count);
-        if goal <= count || cancelled.load(Ordering::Relaxed) {
+        let goal = sample.goal(runs.len());
+        if goal <= runs.len() {
             break;
         }
-        done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).resize(goal, None);
-        let next = AtomicUsize::new(count);
-        let failed: Mutex<Vec<Problem>> = Mutex::new(Vec::new());
-        let worker = || {
-            loop {
-                let k = next.fetch_add(1, Ordering::Relaxed);
-                if k >= goal || cancelled.load(Ordering::Relaxed) {
-                    return;
-                }
-                let tell = |inner: RunProgress| {
-                    let told = EnsembleProgress { done: k.min(goal), planned: goal, run: k, inner };
-                    let stop = cancelled.load(Ordering::Relaxed) || progress(told) == Flow::Cancel;
-                    if stop {
-                        cancelled.store(true, Ordering::Relaxed);
-                        return Flow::Cancel;
-                    }
-                    Flow::Continue
-                };
-                match single(spec, controls, sample.member(k), tell) {
-                    Ok(run) => {
-                        finished(k, &run);
-                        // A lock is only poisoned by a panic, and then the runs in it are still whole.
-                        done.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[k] =
-                            Some(run);
-                    }
-                    Err(found) => {
-                        cancelled.store(true, Ordering::Relaxed);
-                        *failed.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = found;
-                    }
-                }
-            }
-        };
-        std::thread::scope(|scope| {
-            for _ in 1..plan.threads.max(1).min(goal - count) {
-                scope.spawn(worker);
-            }
-            worker();
-        });
-        problems = failed.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if !problems.is_empty() {
+        let list: Vec<usize> = (runs.len()..goal).collect();
+        let tell =
+            |run: usize, inner| progress(EnsembleProgress { done: run, planned: goal, run, inner });
+        let made = members(spec, controls, &sample, &list, plan.threads, &tell, finished)?;
+        runs.extend(made.runs.into_iter().map(|(_, run)| run));
+        cancelled = made.cancelled;
+        if cancelled || (plan.runs.is_none() && enough(&runs, &sample)) {
             break;
         }
-        count = goal;
-        if plan.runs.is_none() {
-            let runs = done.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            if enough(&runs, &sample) {
-                break;
-            }
-        }
     }
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    let runs = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut ensemble = summary(runs.into_iter().flatten().collect(), sample);
-    if !cancelled.load(Ordering::Relaxed) && bifurcation::suspect(spec) {
+    let count = runs.len();
+    let mut ensemble = summary(runs, sample);
+    if !cancelled && bifurcation::suspect(spec) {
         let Member { seed, phase, .. } = ensemble.sample.member(0);
         let spec = SceneSpec { phase, seed, ..spec.clone() };
         let steps =
@@ -187,14 +142,81 @@ pub(crate) fn run_watched(
             ensemble.flags.push(CheckFlag::Bifurcation);
         }
     }
-    if cancelled.load(Ordering::Relaxed) {
+    if cancelled {
         ensemble.flags.push(CheckFlag::Cancelled);
     }
     Ok(ensemble)
 }
 
+/// Members that were made, each with its number.
+pub(super) struct Members {
+    /// In the order of their list; those that the caller's end came before are missing.
+    pub(super) runs: Vec<(usize, Run)>,
+    /// Whether the caller ended it.
+    pub(super) cancelled: bool,
+}
+
+/// Makes members of a sample, of these numbers, on so many threads. `tell` hears of a member's steps, and
+/// `finished` of its end, from the thread that makes it.
+///
+/// # Errors
+/// What is wrong with the scene or the controls.
+pub(super) fn members(
+    spec: &SceneSpec,
+    controls: &Controls,
+    sample: &Sample,
+    list: &[usize],
+    threads: usize,
+    tell: &(dyn Fn(usize, RunProgress) -> Flow + Sync),
+    finished: &(dyn Fn(usize, &Run) + Sync),
+) -> Result<Members, Vec<Problem>> {
+    let (next, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let made: Mutex<Vec<Option<Run>>> = Mutex::new(vec![None; list.len()]);
+    let failed: Mutex<Vec<Problem>> = Mutex::new(Vec::new());
+    let worker = || {
+        loop {
+            let place = next.fetch_add(1, Ordering::Relaxed);
+            let Some(&k) = list.get(place).filter(|_| !cancelled.load(Ordering::Relaxed)) else {
+                return;
+            };
+            let listen = |inner: RunProgress| {
+                let stop = cancelled.load(Ordering::Relaxed) || tell(k, inner) == Flow::Cancel;
+                if stop {
+                    cancelled.store(true, Ordering::Relaxed);
+                    return Flow::Cancel;
+                }
+                Flow::Continue
+            };
+            match single(spec, controls, sample.member(k), listen) {
+                Ok(run) => {
+                    finished(k, &run);
+                    // A lock is only poisoned by a panic, and then what is in it is still whole.
+                    made.lock().unwrap_or_else(PoisonError::into_inner)[place] = Some(run);
+                }
+                Err(problems) => {
+                    cancelled.store(true, Ordering::Relaxed);
+                    *failed.lock().unwrap_or_else(PoisonError::into_inner) = problems;
+                }
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads.clamp(1, list.len().max(1)) {
+            scope.spawn(worker);
+        }
+        worker();
+    });
+    let problems = failed.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let runs = list.iter().zip(made).filter_map(|(k, run)| Some((*k, run?))).collect();
+    Ok(Members { runs, cancelled: cancelled.load(Ordering::Relaxed) })
+}
+
 /// One run, timed.
-pub(super) fn single(
+fn single(
     spec: &SceneSpec,
     controls: &Controls,
     Member { seed, phase, pattern }: Member,
@@ -215,8 +237,8 @@ pub(super) fn single(
 }
 
 /// Whether the runs pin the force down.
-fn enough(runs: &[Option<Run>], sample: &Sample) -> bool {
-    let broken = runs.iter().flatten().filter(|run| counts(run));
+fn enough(runs: &[Run], sample: &Sample) -> bool {
+    let broken = runs.iter().filter(|run| counts(run));
     let forces: Vec<Placed> =
         broken.filter_map(|run| Some(run.placed(run.outcome.first_break?.force))).collect();
     let force = sampling::figures(sample, &forces, &forces);

@@ -8,12 +8,10 @@
 //! standard ones.
 
 use super::bias::{Bias, Prior};
-use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, counts, single, summary};
+use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, counts, members, summary};
 use super::remark::CheckFlag;
-use crate::dem::{Controls, Fidelity, Flow, RunOutcome, RunProgress, SceneSpec, Test};
+use crate::dem::{Controls, Fidelity, Flow, RunOutcome, SceneSpec, Test};
 use crate::problem::Problem;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 /// Bias of quick runs from scene to scene, over their own error estimate: force and deflection, of a block on
 /// a line of symmetry, and of one off all of them or in the laboratory. From 64 scenes drawn by a seed;
@@ -63,19 +61,20 @@ pub(crate) fn run_watched(
         }
         let goal = pairs.len() + more;
         let list: Vec<usize> = order(n).into_iter().skip(pairs.len()).take(more).collect();
-        let tell = |inner, done: usize| {
-            let (done, planned) = (n + done, n + goal);
+        let already = pairs.len();
+        let tell = |k: usize, inner| {
+            let place = list.iter().position(|other| *other == k).unwrap_or(0);
+            let (done, planned) = (n + already + place, n + goal);
             progress(EnsembleProgress { done, planned, run: done, inner })
         };
-        match again(spec, &controls, &found, &list, plan.threads, &tell)? {
-            Some(made) => pairs.extend(made),
-            None => {
-                // Without its pairs the ensemble is not whole.
-                let mut cut = found;
-                cut.flags.push(CheckFlag::Cancelled);
-                return Ok(cut);
-            }
+        let made = members(spec, &controls, &found.sample, &list, plan.threads, &tell, &|_, _| {})?;
+        if made.cancelled {
+            // Without its pairs the ensemble is not whole.
+            let mut cut = found;
+            cut.flags.push(CheckFlag::Cancelled);
+            return Ok(cut);
         }
+        pairs.extend(made.runs);
     }
 }
 
@@ -89,61 +88,6 @@ fn order(n: usize) -> Vec<usize> {
     };
     list.sort_by(|a, b| key(*a).total_cmp(&key(*b)));
     list
-}
-
-/// Runs at standard fidelity, with the number of their member; nothing where the caller cancels.
-fn again(
-    spec: &SceneSpec,
-    controls: &Controls,
-    found: &Ensemble,
-    list: &[usize],
-    threads: usize,
-    tell: &(dyn Fn(RunProgress, usize) -> Flow + Sync),
-) -> Result<Option<Vec<(usize, Run)>>, Vec<Problem>> {
-    let (next, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let made: Mutex<Vec<Option<Run>>> = Mutex::new(vec![None; list.len()]);
-    let failed: Mutex<Vec<Problem>> = Mutex::new(Vec::new());
-    let worker = || {
-        loop {
-            let place = next.fetch_add(1, Ordering::Relaxed);
-            let Some(k) = list.get(place).filter(|_| !cancelled.load(Ordering::Relaxed)) else {
-                return;
-            };
-            let listen = |inner| {
-                let stop = cancelled.load(Ordering::Relaxed) || tell(inner, place) == Flow::Cancel;
-                if stop {
-                    cancelled.store(true, Ordering::Relaxed);
-                    return Flow::Cancel;
-                }
-                Flow::Continue
-            };
-            match single(spec, controls, found.sample.member(*k), listen) {
-                // A lock is only poisoned by a panic, and then what is in it is still whole.
-                Ok(run) => {
-                    made.lock().unwrap_or_else(PoisonError::into_inner)[place] = Some(run);
-                }
-                Err(problems) => {
-                    cancelled.store(true, Ordering::Relaxed);
-                    *failed.lock().unwrap_or_else(PoisonError::into_inner) = problems;
-                }
-            }
-        }
-    };
-    std::thread::scope(|scope| {
-        for _ in 1..threads.clamp(1, list.len().max(1)) {
-            scope.spawn(worker);
-        }
-        worker();
-    });
-    let problems = failed.into_inner().unwrap_or_else(PoisonError::into_inner);
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    if cancelled.load(Ordering::Relaxed) {
-        return Ok(None);
-    }
-    let made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Ok(Some(list.iter().copied().zip(made.into_iter().flatten()).collect()))
 }
 
 /// Standard over quick first breaks of the pairs that have both.
@@ -214,7 +158,6 @@ fn scale(outcome: &mut RunOutcome, [force, deflection]: [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dem::{Arrangement, PLAIN_PHASE};
     use crate::layout::{Layout, REFERENCE};
     use crate::mesh::laws;
 
@@ -239,14 +182,7 @@ mod tests {
     #[test]
     fn members_are_quick_runs_times_their_bias_and_threads_change_nothing() {
         let layout = Layout { plate: 0.25, spacing: 1.3, punch: 0.45, ..REFERENCE };
-        let spec = SceneSpec {
-            layout,
-            test: Test::Anchored,
-            wire: laws::reference(),
-            phase: PLAIN_PHASE,
-            seed: 0,
-            arrangement: Arrangement::default(),
-        };
+        let spec = SceneSpec::plain(layout, Test::Anchored, laws::reference());
         let controls = Controls { after_break: 0.0, ..Controls::default() };
         let make = |auto, runs, fidelity, threads| {
             let plan = Plan { runs: Some(runs), auto, threads, ..Plan::default() };

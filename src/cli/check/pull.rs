@@ -5,7 +5,6 @@ use crate::cli::VERSION;
 use crate::cli::output::{CommandEnd, Fault, Output, json, wrapped};
 use crate::cli::watch::Watch;
 use crate::cli::wire::Wires;
-use crate::dem::RunProgress;
 use crate::dem::hash::hash;
 use crate::dem::lattice::Role;
 use crate::dem::tensile::{Pull, TensileOutcome, TensileSpec, tensile};
@@ -35,14 +34,7 @@ pub(super) fn run(args: &CheckArgs, pull: Pull) -> CommandEnd {
         let seed = hash(plan.seed, run as u64);
         let spec = TensileSpec { width, length, pull, wire: wire.clone(), seed };
         let told = |elongation: f64| {
-            let inner = RunProgress {
-                deflection: elongation * length,
-                force: 0.0,
-                utilisation: 0.0,
-                limit: length,
-                steps: 0,
-                broken: false,
-            };
+            let inner = spec.progress(elongation);
             watch.tell(EnsembleProgress { done: run, planned: runs, run, inner })
         };
         let outcome = tensile(&spec, &mut { told }).map_err(|found| {

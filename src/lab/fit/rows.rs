@@ -5,7 +5,7 @@ use super::family::LawParameters;
 use crate::dem::hash::hash;
 use crate::dem::lattice::Role;
 use crate::dem::tensile::{Pull, TensileOutcome, TensileSpec, tensile};
-use crate::dem::{Controls, Fidelity, Flow, RunProgress, SceneSpec, Test};
+use crate::dem::{Controls, Fidelity, Flow, SceneSpec, Test};
 use crate::layout::Layout;
 use crate::mesh::wire::{NetGeometry, WireData};
 use crate::problem::Problem;
@@ -259,14 +259,7 @@ impl FitQuestion {
             let spec = TensileSpec { width, length, pull, wire: wire.clone(), seed };
             let mut cancelled = false;
             let outcome = tensile(&spec, &mut |elongation| {
-                let inner = RunProgress {
-                    deflection: elongation * length,
-                    force: 0.0,
-                    utilisation: 0.0,
-                    limit: length,
-                    steps: 0,
-                    broken: false,
-                };
+                let inner = spec.progress(elongation);
                 let now = EnsembleProgress { done: run, planned: scene.runs, run, inner };
                 let flow = tell(scene, now);
                 cancelled |= flow == Flow::Cancel;

@@ -5,20 +5,13 @@ use super::figures::{Placed, figures};
 use super::pattern::{Rectangle, caught_nodes, patterns};
 use super::spread::Spread;
 use super::*;
-use crate::dem::{Arrangement, PLAIN_PHASE, SceneSpec};
+use crate::dem::{Arrangement, SceneSpec};
 use crate::layout::{Grid, Layout, REFERENCE, Twists};
 use crate::mesh::laws;
 use std::collections::HashMap;
 
 fn spec(layout: Layout, arrangement: Arrangement) -> SceneSpec {
-    SceneSpec {
-        layout,
-        test: Test::Anchored,
-        wire: laws::reference(),
-        phase: PLAIN_PHASE,
-        seed: 0,
-        arrangement,
-    }
+    SceneSpec { arrangement, ..SceneSpec::plain(layout, Test::Anchored, laws::reference()) }
 }
 
 fn scene(layout: Layout, arrangement: Arrangement) -> Scene {
