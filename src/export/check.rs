@@ -4,7 +4,6 @@ use super::ExportedLayout;
 use super::command::{file_word, quoted};
 use crate::curve::{Curve, Point};
 use crate::dem::outcome::Quality;
-use crate::study::remark::CheckRemark;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
@@ -129,7 +128,7 @@ fn notes(
         ));
     }
     notes.push(quality(&v.quality));
-    notes.extend(v.remarks().iter().map(CheckRemark::sentence));
+    notes.extend(v.remarks().iter().map(|remark| remark.sentence(unit)));
     let runs = v.wanted.runs.map_or(String::new(), |n| format!(" --runs {n}"));
     let repeat = format!(
         "meshcast check {} {} --fidelity {}{runs} --seed {}",

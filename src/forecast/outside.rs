@@ -74,6 +74,7 @@ mod tests {
     use crate::forecast::{Forecast, forecast};
     use crate::layout::{BranchRule, MethodChoice, REFERENCE};
     use crate::mesh::catalogue;
+    use crate::units::Units;
 
     fn of(layout: Layout) -> Forecast {
         forecast(&layout, &catalogue::reference(), BranchRule::Published).unwrap()
@@ -115,21 +116,26 @@ mod tests {
     fn the_warning_has_the_figures_short_and_long() {
         let layout = Layout { method: MethodChoice::Derived, spacing: 6.3, ..REFERENCE };
         let warnings = of(layout).warnings;
-        assert_eq!(warnings[0].short(), "L > 4.5 m: check x0.97-1.06");
+        assert_eq!(warnings[0].short(Units::METRES), "L > 4.5 m: check x0.97-1.06");
         assert!(
-            warnings[0].sentence().ends_with(
+            warnings[0].sentence(Units::METRES).ends_with(
                 "the values are extrapolated: in ranges wider by 50 % checks gave 0.97 to 1.06 of such a force and 1.00 to 1.07 of such a deflection (middle 80 % of 53 layouts)"
             ),
             "{}",
-            warnings[0].sentence()
+            warnings[0].sentence(Units::METRES)
         );
         let far = of(Layout { spacing: 9.0, ..layout }).warnings[0].clone();
-        assert_eq!(far.short(), "L outside 1.25 to 4.5 m, far");
-        assert!(far.sentence().ends_with("extrapolated, farther than checks were made"));
+        assert_eq!(far.short(Units::METRES), "L outside 1.25 to 4.5 m, far");
+        assert!(
+            far.sentence(Units::METRES).ends_with("extrapolated, farther than checks were made")
+        );
         // Of another mesh nothing was measured.
         let mut other = (*catalogue::reference()).clone();
         other.id = "other".into();
         let warnings = forecast(&layout, &other, BranchRule::Published).unwrap().warnings;
-        assert!(warnings.iter().any(|w| w.short() == "L outside 1.25 to 4.5 m"), "{warnings:?}");
+        assert!(
+            warnings.iter().any(|w| w.short(Units::METRES) == "L outside 1.25 to 4.5 m"),
+            "{warnings:?}"
+        );
     }
 }

@@ -3,7 +3,7 @@
 
 use super::NoField;
 use crate::remark::Weight;
-use crate::units::{Units, length_text, shortest, significant};
+use crate::units::{LengthUnit, Units, force_text, length_entry, length_text, shortest};
 
 /// A published range: symbol, words, limits, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,9 +41,9 @@ impl PublishedRange {
         value >= self.min - 1e-9 && value <= self.max + 1e-9
     }
 
-    /// The range as text: `0.16 to 0.48 m`.
-    pub(crate) fn text(&self) -> String {
-        format!("{} to {} m", shortest(self.min), shortest(self.max))
+    /// The range as text, in the units shown: `0.16 to 0.48 m`.
+    pub(crate) fn text(&self, units: Units) -> String {
+        format!("{} to {} {}", bare(self.min, units), bare(self.max, units), units.symbol())
     }
 }
 
@@ -177,10 +177,15 @@ pub(crate) fn extrapolated(warnings: &[Warning]) -> bool {
         .any(|w| matches!(w, Warning::Extrapolated { .. } | Warning::EccentricityWithoutData))
 }
 
+/// A length as it was entered, without its sign.
+fn bare(metres: f64, units: Units) -> String {
+    if units.length == LengthUnit::Metre { shortest(metres) } else { length_entry(metres, units) }
+}
+
 /// A force (N) and, where it is known, a deflection (m).
-fn record(force: f64, deflection: Option<f64>, between: &str) -> String {
-    let delta = deflection.map(|delta| length_text(delta, Units::METRES));
-    let force = format!("{} kN", significant(force / 1000.0, 3));
+fn record(force: f64, deflection: Option<f64>, between: &str, units: Units) -> String {
+    let delta = deflection.map(|delta| length_text(delta, units));
+    let force = force_text(force, units);
     [Some(force), delta].into_iter().flatten().collect::<Vec<_>>().join(between)
 }
 
@@ -230,17 +235,18 @@ impl Warning {
         }
     }
 
-    /// A few words for a narrow panel.
-    pub(crate) fn short(&self) -> String {
+    /// A few words for a narrow panel, in the units shown.
+    pub(crate) fn short(&self, units: Units) -> String {
         match self {
             Warning::Extrapolated { range, value, outside } => match outside {
-                Outside::Unknown => format!("{} outside {}", range.symbol, range.text()),
-                Outside::TooFar => format!("{} outside {}, far", range.symbol, range.text()),
+                Outside::Unknown => format!("{} outside {}", range.symbol, range.text(units)),
+                Outside::TooFar => format!("{} outside {}, far", range.symbol, range.text(units)),
                 Outside::Measured(OutsideRecord { force: [low, high], .. }) => {
                     let (sign, end) =
                         if *value < range.min { ('<', range.min) } else { ('>', range.max) };
-                    let end = shortest(end);
-                    format!("{} {sign} {end} m: check x{low:.2}-{high:.2}", range.symbol)
+                    let end = bare(end, units);
+                    let m = units.symbol();
+                    format!("{} {sign} {end} {m}: check x{low:.2}-{high:.2}", range.symbol)
                 }
             },
             Warning::PunchOnPlate { .. } => "block on an anchor plate".into(),
@@ -248,12 +254,12 @@ impl Warning {
             Warning::GridWithoutRelation { .. } => "no relation for this grid".into(),
             Warning::BlocksOverlap => "mirrored blocks overlap".into(),
             Warning::ImplausibleLaboratory { force, deflection } => {
-                format!("laboratory {}: units?", record(*force, *deflection, ", "))
+                format!("laboratory {}: units?", record(*force, *deflection, ", ", units))
             }
             Warning::StrengthOnly => "no deflection: forces only".into(),
             Warning::Swapped => "are d and D swapped?".into(),
             Warning::NearBranchChange { other, .. } => {
-                format!("near D = d: other {} kN", significant(other / 1000.0, 3))
+                format!("near D = d: other {}", force_text(*other, units))
             }
             Warning::EccentricityUncertain { force, .. } => {
                 format!("eccentricity +-{:.0} % on F", force * 100.0)
@@ -261,7 +267,7 @@ impl Warning {
             Warning::EccentricityWithoutData => "no eccentricity data here".into(),
             Warning::EccentricityFolded { .. } => "offset taken back into the cell".into(),
             Warning::FacingLeftOut { worst } => {
-                format!("blocks worst: {} kN, derived", significant(worst / 1000.0, 3))
+                format!("blocks worst: {}, derived", force_text(*worst, units))
             }
             Warning::OtherWires => "method of other wires".into(),
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
@@ -272,17 +278,18 @@ impl Warning {
         }
     }
 
-    /// The whole sentence for people, without a final stop.
-    pub fn sentence(&self) -> String {
-        let m = |v: f64| length_text(v, Units::METRES);
-        let kn = |v: f64| significant(v / 1000.0, 3);
+    /// The whole sentence for people, in the units shown, without a final stop.
+    pub fn sentence(&self, units: Units) -> String {
+        let m = |v: f64| length_text(v, units);
+        let kn = |v: f64| force_text(v, units);
         match self {
             Warning::Extrapolated { range, value, outside } => format!(
-                "{} {} = {} m is outside the published range {}; the values are extrapolated{}",
+                "{} {} = {} {} is outside the published range {}; the values are extrapolated{}",
                 range.words,
                 range.symbol,
-                shortest(*value),
-                range.text(),
+                bare(*value, units),
+                units.symbol(),
+                range.text(units),
                 match outside {
                     Outside::Unknown => String::new(),
                     Outside::TooFar => ", farther than checks were made".into(),
@@ -315,7 +322,7 @@ impl Warning {
             }
             Warning::ImplausibleLaboratory { force, deflection } => format!(
                 "the laboratory record of {} is far from what punch tests give (10 to 500 kN, 0.1 to 1.5 m): is a unit wrong?",
-                record(*force, *deflection, " at ")
+                record(*force, *deflection, " at ", units)
             ),
             Warning::Swapped => {
                 "the plate d is larger than any that was tested and the block D as small as a plate: are the two swapped?".into()
@@ -324,7 +331,7 @@ impl Warning {
                 "the laboratory record has no deflection: forces are given, and no deflection, curve, stiffness or energy".into()
             }
             Warning::NearBranchChange { used, other } => format!(
-                "near the branch change at D = d, where A.1 jumps: this branch gives {} kN, the other {} kN; choose `conservative` for the lower",
+                "near the branch change at D = d, where A.1 jumps: this branch gives {}, the other {}; choose `conservative` for the lower",
                 kn(*used),
                 kn(*other)
             ),
@@ -342,7 +349,7 @@ impl Warning {
                 m(*ey)
             ),
             Warning::FacingLeftOut { worst } => format!(
-                "blocks as the paper has them: the same in every cell; blocks `worst`, the lower of repeated and mirrored ones, takes {} kN by the derived method",
+                "blocks as the paper has them: the same in every cell; blocks `worst`, the lower of repeated and mirrored ones, takes {} by the derived method",
                 kn(*worst)
             ),
             Warning::OtherWires => {
@@ -360,8 +367,8 @@ impl Warning {
             ),
             Warning::ReferencePoint { force, deflection, reference_force, reference_deflection } => format!(
                 "at the reference point the published relations return {}, not {} (factors 0.93 and 0.98)",
-                record(*force, *deflection, " and "),
-                record(*reference_force, *reference_deflection, " and ")
+                record(*force, *deflection, " and ", units),
+                record(*reference_force, *reference_deflection, " and ", units)
             ),
             Warning::ExampleMesh => {
                 "this mesh is an example of the file format; its values are not a product's".into()

@@ -14,7 +14,7 @@ use crate::remark::Weight;
 use crate::study::checks::change::CheckChange;
 use crate::study::result::{CheckResult, Wanted};
 use crate::study::sensitivity::Change;
-use crate::units::{to_kj, to_kn};
+use crate::units::{Units, to_kj, to_kn};
 use crate::words::Choice;
 
 /// How the result of a layout begins: its name, in the list of a project, what made it, its inputs.
@@ -75,7 +75,7 @@ pub(crate) fn ends(ends: Option<[f64; 2]>) -> Value {
 
 /// Warnings of a forecast.
 pub(crate) fn warnings(warnings: &[Warning]) -> Value {
-    let object = |w: &Warning| remark(w.code(), w.weight(), w.sentence());
+    let object = |w: &Warning| remark(w.code(), w.weight(), w.sentence(Units::METRES));
     warnings.iter().map(object).collect()
 }
 

@@ -6,7 +6,7 @@ use crate::dem::bifurcation::Probe;
 use crate::dem::estimate::SNAP;
 use crate::forecast::NoField;
 use crate::remark::Weight;
-use crate::units::{significant, to_kn};
+use crate::units::{Units, force_text};
 use crate::words::Choice;
 
 /// Standard error above which it is said; so few runs may have been asked for.
@@ -158,13 +158,13 @@ impl CheckRemark {
     }
 
     /// The whole sentence for people, without a final stop.
-    pub(crate) fn sentence(&self) -> String {
-        let kn = |v: f64| significant(to_kn(v), 3);
+    pub(crate) fn sentence(&self, units: Units) -> String {
+        let kn = |v: f64| force_text(v, units);
         let percent = |v: f64| format!("{:.1} %", 100.0 * v);
         match self {
             CheckRemark::Bifurcation(probe) => {
                 let told = probe.map_or(String::new(), |p| format!(
-                    "; 5 mm and 3 mm beside the given place the first break is at {} kN instead of {} kN",
+                    "; 5 mm and 3 mm beside the given place the first break is at {} instead of {}",
                     kn(p.beside),
                     kn(p.here)
                 ));
@@ -381,18 +381,22 @@ mod tests {
     fn a_flag_that_nobody_knows_is_kept_and_said_as_it_is() {
         let flags = ["diverged", "melted"].map(CheckFlag::from_code);
         assert_eq!(flags.clone().map(|f| f.code().to_string()), ["diverged", "melted"]);
-        let said: Vec<String> = facts(&flags).remarks().iter().map(CheckRemark::sentence).collect();
+        let said: Vec<String> =
+            facts(&flags).remarks().iter().map(|r| r.sentence(Units::METRES)).collect();
         assert_eq!(said, ["some runs diverged and are not counted", "melted"]);
     }
 
     #[test]
     fn figures_stand_in_the_sentence_where_they_are_known() {
         let slipped = CheckRemark::Slipped(Some((2, 8)));
-        assert!(slipped.sentence().starts_with("2 of 8 runs slipped through"));
-        assert!(slipped.general().sentence().starts_with("runs slipped through"));
+        assert!(slipped.sentence(Units::METRES).starts_with("2 of 8 runs slipped through"));
+        assert!(slipped.general().sentence(Units::METRES).starts_with("runs slipped through"));
         let probe = Probe { here: 30_000.0, beside: 24_000.0 };
-        let said = CheckRemark::Bifurcation(Some(probe)).sentence();
+        let said = CheckRemark::Bifurcation(Some(probe)).sentence(Units::METRES);
         assert!(said.contains("at 24.0 kN instead of 30.0 kN"), "{said}");
-        assert_eq!(CheckRemark::Diverged(Some(1)).sentence(), "1 run diverged and is not counted");
+        assert_eq!(
+            CheckRemark::Diverged(Some(1)).sentence(Units::METRES),
+            "1 run diverged and is not counted"
+        );
     }
 }

@@ -52,10 +52,10 @@ pub(crate) fn lines(app: &App, rows: usize, theme: &Theme) -> Lines {
     if rows > first.len() + rest.len() {
         first.extend(rest);
         let room = rows.saturating_sub(first.len());
-        first.extend(warning_lines(forecast, room, theme));
+        first.extend(warning_lines(forecast, app.units(), room, theme));
     } else {
         let room = rows.saturating_sub(first.len());
-        first.extend(warning_lines(forecast, room, theme));
+        first.extend(warning_lines(forecast, app.units(), room, theme));
         first.extend(rest);
     }
     first.truncate(rows);
@@ -160,13 +160,13 @@ fn mobilised(app: &App, theme: &Theme) -> Option<(String, Style)> {
 }
 
 /// The heaviest warnings in a few words, and how many more there are.
-fn warning_lines(forecast: &Forecast, rows: usize, theme: &Theme) -> Lines {
+fn warning_lines(forecast: &Forecast, units: Units, rows: usize, theme: &Theme) -> Lines {
     let mut warnings: Vec<&Warning> = forecast.warnings.iter().collect();
     warnings.sort_by_key(|w| std::cmp::Reverse(w.weight()));
     let style =
         |w: &Warning| if w.weight() >= Weight::Caution { theme.caution } else { theme.text };
     let mut lines: Lines =
-        warnings.iter().take(rows).map(|w| (format!("! {}", w.short()), style(w))).collect();
+        warnings.iter().take(rows).map(|w| (format!("! {}", w.short(units)), style(w))).collect();
     if warnings.len() > rows
         && let Some((text, _)) = lines.last_mut()
     {

@@ -15,7 +15,7 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let columns = usize::from(list.width.saturating_sub(2)).max(10);
     let options = textwrap::Options::new(columns).subsequent_indent("  ");
     let mut texts: Vec<String> =
-        forecast.warnings.iter().map(|w| format!("! {}", w.sentence())).collect();
+        forecast.warnings.iter().map(|w| format!("! {}", w.sentence(app.units()))).collect();
     if texts.is_empty() {
         texts.push("All inputs are inside the published ranges.".into());
     }

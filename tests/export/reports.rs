@@ -45,7 +45,7 @@ fn reports_are_well_formed_whole_and_the_same_every_time() {
             assert!(text.contains(&case.case.fingerprint().to_string()));
             assert!(markdown.contains(&case.case.fingerprint().to_string()));
             for warning in &case.forecast().warnings {
-                let message = warning.sentence();
+                let message = warning.sentence(project.display.units);
                 assert!(text.contains(&message[1..]), "{message}");
             }
         }

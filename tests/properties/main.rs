@@ -131,7 +131,7 @@ proptest! {
         match forecast(&layout, &catalogue::reference(), rule) {
             Ok(f) => {
                 prop_assert!(numbers(&f).iter().all(|v| v.is_finite()), "{f:?}");
-                prop_assert!(f.warnings.iter().all(|w| !w.sentence().is_empty()));
+                prop_assert!(f.warnings.iter().all(|w| !w.sentence(meshcast::units::Units::METRES).is_empty()));
             }
             Err(problems) => prop_assert!(!problems.is_empty()),
         }

@@ -10,7 +10,7 @@ use crate::show::say;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
-use crate::units::{energy_text, force_text, length_text, significant, stiffness_text};
+use crate::units::{Units, energy_text, force_text, length_text, significant, stiffness_text};
 use crate::words::Choice;
 
 /// All there is to know of the check shown.
@@ -97,7 +97,7 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
         page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
     }
     quality(page, &v.quality);
-    remarks(page, v);
+    remarks(page, v, app.units());
     page.row("inputs", &format!("{} (fingerprint)", v.inputs));
 }
 
@@ -141,8 +141,8 @@ fn quality(page: &mut TextPage, q: &Quality) {
     page.row("support over punch force", &significant(q.support_over_punch, 3));
 }
 
-fn remarks(page: &mut TextPage, v: &CheckResult) {
+fn remarks(page: &mut TextPage, v: &CheckResult, unit: Units) {
     for remark in v.remarks() {
-        page.text(&format!("  ! {}", remark.sentence()), 4);
+        page.text(&format!("  ! {}", remark.sentence(unit)), 4);
     }
 }

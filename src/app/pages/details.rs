@@ -32,7 +32,7 @@ pub(super) fn details(app: &App, width: usize) -> Vec<PageLine> {
                 page.text("  none: all inputs are inside the published ranges", 2);
             }
             for w in &forecast.warnings {
-                page.text(&format!("  ! {}", w.sentence()), 4);
+                page.text(&format!("  ! {}", w.sentence(app.units())), 4);
             }
             check::section(&mut page, app);
             check::remade(&mut page, app);

@@ -12,12 +12,13 @@ pub(crate) use text::PageLine;
 
 use super::{App, Mode};
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
+use crate::units::Units;
 use text::TextPage;
 
 /// What the method is and where it ends.
 fn method(page: &mut TextPage) {
     page.text("  Pol & Gabrieli (2021): the laboratory punch test of the mesh (F_l*, delta_l*), times alpha_F and alpha_delta, gives the field reference (F_a*, delta_a*); Eqs. A.1-A.2 take plate d, spacing L and punch D into account, the map of Fig. A1 the eccentricity; the master curve, Eq. 3, gives the whole curve.", 2);
-    page.text(&format!("  Published ranges: d {}, L {}, D {}; laboratory panel {}. Outside them the numbers are extrapolated and marked.", PLATE.text(), SPACING.text(), PUNCH.text(), PANEL.text()), 2);
+    page.text(&format!("  Published ranges: d {}, L {}, D {}; laboratory panel {}. Outside them the numbers are extrapolated and marked.", PLATE.text(Units::METRES), SPACING.text(Units::METRES), PUNCH.text(Units::METRES), PANEL.text(Units::METRES)), 2);
     page.text("  It is the lowest of the arrangements computed, with a block in every cell of the mesh: where they repeat every anchor carries the whole force of its cell, where they face each other (p) the one between them carries more. It is not the answer for one block on a large mesh. Published relations are for anchors on a square grid; on others (P) the check answers alone.", 2);
     page.text("  As published, the relations return 0.93 F_a* and 0.98 delta_a* at their own reference point (27.1 kN and 0.635 m, not 29.1 kN and 0.65 m), and F jumps at D = d.", 2);
 }

@@ -13,7 +13,7 @@ use crate::study::ensemble::{Run, Spread};
 use crate::study::result::WorstAnchor;
 use crate::study::result::remade::Former;
 use crate::study::result::sampled::Catch;
-use crate::units::to_kn;
+use crate::units::{Units, to_kn};
 use crate::words::Choice;
 
 /// One object, or a list of them with one line each.
@@ -42,7 +42,7 @@ fn one(c: &Checked) -> Object {
     let band = Object::new()
         .with("F_kN", ends(counted.then(|| e.force.band.map(to_kn))))
         .with("delta_m", ends(counted.then_some(e.deflection.band)));
-    let remarks = c.remarks.iter().map(|r| remark(r.code(), r.weight(), r.sentence()));
+    let remarks = c.remarks.iter().map(|r| remark(r.code(), r.weight(), r.sentence(Units::METRES)));
     head(c.name.as_deref(), c.fingerprint, inputs(&c.case))
         .with("test", word(c.spec.test))
         .with("fidelity", c.fidelity_word())

@@ -63,7 +63,7 @@ fn one(c: &Checked, unit: Units) -> Vec<String> {
         }
     }
     for remark in &c.remarks {
-        page.line(remark.weight().word(), remark.sentence());
+        page.line(remark.weight().word(), remark.sentence(page.unit));
     }
     page.lines
 }

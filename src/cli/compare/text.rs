@@ -114,7 +114,7 @@ fn remarks(page: &mut Page, row: &CompareRow) {
     match &row.derived {
         Ok(Derived { forecast: f, .. }) => {
             let all = f.warnings.iter().filter(|w| w.weight() >= Weight::Caution);
-            let all: Vec<String> = all.map(crate::forecast::warning::Warning::short).collect();
+            let all: Vec<String> = all.map(|w| w.short(page.unit)).collect();
             if !all.is_empty() {
                 page.line("!", format!("{name}: {}", all.join("; ")));
             }

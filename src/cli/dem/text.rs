@@ -59,7 +59,7 @@ pub(crate) fn notes<'a>(
         }
     }
     for (remark, names) in kinds {
-        let text = format!("{}: {}", listed(&names), remark.sentence());
+        let text = format!("{}: {}", listed(&names), remark.sentence(page.unit));
         page.line(remark.weight().word(), text);
     }
 }

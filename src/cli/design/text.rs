@@ -128,7 +128,7 @@ fn crossing(page: &Page, c: &Crossing, s: &Solution) -> String {
     };
     let heavy = |w: &&Warning| w.weight() >= Weight::Caution;
     for warning in c.point.warnings.iter().filter(heavy) {
-        text.push_str(&format!("; ! {}", warning.short()));
+        text.push_str(&format!("; ! {}", warning.short(page.unit)));
     }
     text
 }

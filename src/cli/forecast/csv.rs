@@ -6,6 +6,7 @@ use crate::export::csv::curves;
 use crate::forecast::CURVE_POINTS;
 use crate::forecast::warning::Warning;
 use crate::remark::Weight;
+use crate::units::Units;
 
 /// The table, and a note for every layout that has no curve.
 pub(crate) fn report(answered: &[Answered], several: bool) -> (String, Vec<String>) {
@@ -24,6 +25,6 @@ fn no_curve(a: &Answered) -> Option<String> {
     let name = a.name.as_ref().map_or(String::new(), |n| format!("layout {n:?}: "));
     let tells = |w: &&Warning| w.weight() == Weight::Outside || **w == Warning::StrengthOnly;
     let why = a.forecast.warnings.iter().find(tells);
-    let why = why.map_or_else(|| "no field value".into(), Warning::sentence);
+    let why = why.map_or_else(|| "no field value".into(), |w| w.sentence(Units::METRES));
     Some(format!("{name}no curve; {why}"))
 }

@@ -145,10 +145,11 @@ fn warnings(page: &mut Page, warnings: &[Warning]) {
     if warnings.is_empty() {
         return page.line("warnings", "none");
     }
-    let lines = |text: fn(&Warning) -> String| -> Vec<Vec<String>> {
+    let unit = page.unit;
+    let lines = |text: fn(&Warning, Units) -> String| -> Vec<Vec<String>> {
         warnings
             .iter()
-            .map(|w| wrapped(&format!("{:<MARGIN$}", w.weight().word()), &text(w), WIDTH))
+            .map(|w| wrapped(&format!("{:<MARGIN$}", w.weight().word()), &text(w, unit), WIDTH))
             .collect()
     };
     let whole = lines(Warning::sentence).concat();

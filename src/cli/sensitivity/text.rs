@@ -78,7 +78,7 @@ fn notes(page: &mut Page, s: &Sensitivity) {
     }
     if let Ok(point) = &s.base {
         for w in point.warnings.iter().filter(|w| w.weight() >= Weight::Caution) {
-            page.line(w.weight().word(), w.short());
+            page.line(w.weight().word(), w.short(page.unit));
         }
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn layout(
         document.blocks.push(Block::Free(case.entry.note.clone()));
     }
     judged(case, unit, document);
-    warnings(case, document);
+    warnings(case, unit, document);
     let check = report.check(index);
     pictures(name, Series { case, check }, unit, document);
     steps(case, unit, document);
@@ -81,7 +81,7 @@ pub(crate) fn short(
     let name = heading(index, case, document);
     judged(case, unit, document);
     pictures(name, Series { case, check: report.check(index) }, unit, document);
-    warnings(case, document);
+    warnings(case, unit, document);
 }
 
 /// Begins the section of a layout and returns its name.
@@ -102,7 +102,7 @@ fn judged(case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     document.blocks.push(Block::List(lines.map(Words::from).collect()));
 }
 
-fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
+fn warnings(case: &ExportedLayout, unit: Units, document: &mut ReportDocument) {
     let mut all: Vec<_> = case.forecast().warnings.iter().collect();
     all.sort_by_key(|w| std::cmp::Reverse(w.weight()));
     if all.is_empty() {
@@ -111,7 +111,7 @@ fn warnings(case: &ExportedLayout, document: &mut ReportDocument) {
     }
     let items = all.iter().map(|w| {
         let mut words = strong(format!("{}: ", sentence(w.weight().word()).trim_end_matches('.')));
-        words.0.extend(Words::from(sentence(&w.sentence())).0);
+        words.0.extend(Words::from(sentence(&w.sentence(unit))).0);
         words
     });
     document.blocks.push(Block::List(items.collect()));

@@ -6,7 +6,7 @@ use crate::forecast::eccentricity::published;
 use crate::forecast::warning::{PANEL, PLATE, PUNCH, SPACING};
 use crate::method::DerivedMethod;
 use crate::project::schema::MethodFile;
-use crate::units::{shortest, significant};
+use crate::units::{Units, shortest, significant};
 
 /// The equations, in the order in which they are used.
 pub(crate) fn equations(document: &mut ReportDocument) {
@@ -103,10 +103,10 @@ pub(crate) fn limits(document: &mut ReportDocument) {
     document.chapter("What the numbers are, and are not");
     let ranges = format!(
         "Published ranges: plate {{d}} {}, spacing {{L}} {}, block {{D}} {}, laboratory panel {{L_l}} {}. A number outside them is extrapolated and marked as such.",
-        PLATE.text(),
-        SPACING.text(),
-        PUNCH.text(),
-        PANEL.text()
+        PLATE.text(Units::METRES),
+        SPACING.text(Units::METRES),
+        PUNCH.text(Units::METRES),
+        PANEL.text(Units::METRES)
     );
     document.blocks.push(Block::List(vec![
         ours("The lowest of the arrangements computed, with a block in every cell of the mesh: where the same block repeats each anchor carries the whole force of its cell, where blocks face each other across a line of anchors the one between them carries more. It is not the answer for one block on a large mesh."),
