@@ -5,7 +5,7 @@
 //! `meshcast derive`, for repeated blocks and for mirrored ones. Another mesh takes them as it takes the paper's
 //! relations: with its own laboratory values, its own ratios where it has any, and a warning where not. A mesh
 //! that was adopted brings methods of its own; an arrangement that it has none for borrows what an offset does
-//! from the reference mesh.
+//! from the reference mesh. One block alone takes those of repeated blocks, unless the mesh has its own.
 
 use super::eccentricity::Eccentricity;
 use super::field::Branch;
@@ -52,7 +52,7 @@ fn arrangements(layout: &Layout) -> Result<&'static [Arranged], NoField> {
         Blocks::Mirrored if layout.can_face() => &[Arranged::Mirrored],
         Blocks::Mirrored => return Err(NoField::Overlap),
         Blocks::Worst if !centred && layout.can_face() => &[Arranged::Repeated, Arranged::Mirrored],
-        // A single block is held by more anchors; that of repeated ones is on the low side.
+        // For one block alone they are those of repeated ones where the mesh has no others, with a warning.
         Blocks::Worst | Blocks::Paper | Blocks::Repeated | Blocks::Single => &[Arranged::Repeated],
     })
 }
@@ -65,6 +65,8 @@ pub(super) struct Derived {
     pub(super) field: Result<Field, NoField>,
     /// Whether the factors of the offset are another mesh's.
     pub(super) borrowed: bool,
+    /// Whether the relations are of one block alone.
+    pub(super) of_one: bool,
 }
 
 /// The relations that a mesh goes by in an arrangement.
@@ -76,10 +78,12 @@ struct Relations {
     own: bool,
     /// Whether the offsets are not.
     borrowed: bool,
+    /// Whether they are of one block alone.
+    of_one: bool,
 }
 
 impl Relations {
-    fn of(mesh: &MeshType, of: Arranged) -> Relations {
+    fn of(mesh: &MeshType, of: Arranged, blocks: Blocks) -> Relations {
         let adopted = mesh.adopted.as_ref();
         let own = |blocks| {
             let named = mesh.methods.method(blocks);
@@ -89,17 +93,23 @@ impl Relations {
             Arranged::Repeated => Blocks::Repeated,
             Arranged::Mirrored => Blocks::Mirrored,
         };
+        let by = |method: &'static DerivedMethod, own| Relations {
+            method,
+            offsets: &method.offsets,
+            own,
+            borrowed: false,
+            of_one: false,
+        };
+        // None is shipped of one block alone, but a mesh may have one.
+        if let Some(method) = own(Blocks::Single).filter(|_| blocks == Blocks::Single) {
+            return Relations { of_one: true, ..by(method, true) };
+        }
         match (own(wanted), own(Blocks::Repeated)) {
-            (Some(method), _) => {
-                Relations { method, offsets: &method.offsets, own: true, borrowed: false }
-            }
+            (Some(method), _) => by(method, true),
             (None, Some(method)) => {
-                Relations { method, offsets: &shipped(of).offsets, own: true, borrowed: true }
+                Relations { offsets: &shipped(of).offsets, borrowed: true, ..by(method, true) }
             }
-            (None, None) => {
-                let method = shipped(of);
-                Relations { method, offsets: &method.offsets, own: false, borrowed: false }
-            }
+            (None, None) => by(shipped(of), false),
         }
     }
 }
@@ -108,8 +118,9 @@ impl Relations {
 pub(super) fn derived(layout: &Layout, mesh: &MeshType, laboratory: Strength) -> Derived {
     let list = arrangements(layout);
     let all = list.unwrap_or(&[Arranged::Repeated]).iter();
-    let mut made: Vec<Derived> =
-        all.map(|of| by(Relations::of(mesh, *of), layout, mesh, laboratory)).collect();
+    let mut made: Vec<Derived> = all
+        .map(|of| by(Relations::of(mesh, *of, layout.blocks), layout, mesh, laboratory))
+        .collect();
     let force = |d: &Derived| d.field.map_or(f64::INFINITY, |field| field.values.force);
     made.sort_by(|a, b| force(a).total_cmp(&force(b)));
     // There is one at least.
@@ -119,7 +130,7 @@ pub(super) fn derived(layout: &Layout, mesh: &MeshType, laboratory: Strength) ->
 
 /// By one method.
 fn by(
-    Relations { method, offsets, own: by_own, borrowed }: Relations,
+    Relations { method, offsets, own: by_own, borrowed, of_one }: Relations,
     layout: &Layout,
     mesh: &MeshType,
     laboratory: Strength,
@@ -165,14 +176,16 @@ fn by(
         published: None,
         variation: scatter[0].hypot(laws),
     };
-    Derived { ratios, eccentricity, field: Ok(field), borrowed: borrowed && offset }
+    Derived { ratios, eccentricity, field: Ok(field), borrowed: borrowed && offset, of_one }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::forecast::forecast;
+    use crate::forecast::warning::Warning;
     use crate::layout::{BranchRule, MethodChoice, REFERENCE};
+    use crate::mesh::adopted::{AdoptedQuality, KeptMethod};
     use crate::mesh::catalogue;
 
     fn at(layout: Layout) -> crate::forecast::Forecast {
@@ -226,6 +239,33 @@ mod tests {
         let close = Layout { ex: 1.2, blocks: Blocks::Mirrored, ..REFERENCE };
         assert_eq!(at(close).field, Err(NoField::Overlap));
         assert!(at(Layout { blocks: Blocks::Worst, ..close }).field.is_ok());
+    }
+
+    #[test]
+    fn one_block_alone_is_said_to_go_by_relations_of_many_unless_the_mesh_has_its_own() {
+        let one = Layout { blocks: Blocks::Single, method: MethodChoice::Derived, ..REFERENCE };
+        let said = |mesh: &MeshType, layout: Layout| {
+            let made = forecast(&layout, mesh, BranchRule::Published).unwrap();
+            (made.warnings.contains(&Warning::OneBlock), made.field.unwrap().values.force)
+        };
+        let reference = catalogue::reference();
+        let many = Layout { blocks: Blocks::Repeated, ..one };
+        assert_eq!(said(&reference, one), (true, said(&reference, many).1));
+        assert!(!said(&reference, many).0);
+        // Nor does the paper know one block alone.
+        let published = MethodChoice::Published;
+        assert!(said(&reference, Layout { method: published, ..one }).0);
+        // Relations of its own are taken, here those of repeated blocks at a tenth more of force.
+        let mut method = shipped(Arranged::Repeated).clone();
+        method.blocks = Blocks::Single;
+        method.alpha.force *= 1.1;
+        let methods =
+            vec![KeptMethod::keep(shipped(Arranged::Repeated).clone()), KeptMethod::keep(method)];
+        let quality = AdoptedQuality::TwoTests;
+        let adopted = Adopted { quality, low: 24e3, middle: 27e3, high: 30e3, methods };
+        let own = MeshType { adopted: Some(adopted), ratios: None, ..(*reference).clone() };
+        let (told, force) = said(&own, one);
+        assert!(!told && (force / said(&own, many).1 - 1.1).abs() < 1e-3, "{force}");
     }
 
     #[test]

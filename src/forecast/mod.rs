@@ -340,6 +340,9 @@ pub fn forecast(
         Ok(field_values(layout, reference, &eccentricity, rule))
     };
     if let Ok(field) = &field {
+        if layout.blocks == Blocks::Single && !by_runs.is_some_and(|by_runs| by_runs.of_one) {
+            warnings.push(Warning::OneBlock);
+        }
         if mesh.id == mesh::REFERENCE_ID {
             outside::tell(layout, field, &mut warnings);
         }
