@@ -1,12 +1,11 @@
 //! The form by which a mesh is adopted from its own tests: a row for each thing that a maker's sheet says.
 
-use super::mesh_form::{FormKind, FormRow, MeshForm, row};
+use super::mesh_form::{FormKind, FormRow, MeshForm, Refusal, or_told, row};
 use crate::lab::adopt::{MeshWords, RUNS, identifier};
 use crate::lab::campaign::FEWEST_FOR_METHOD;
 use crate::lab::fit::data::FirstBond;
 use crate::lab::fit::sheet::Sheet;
 use crate::mesh::{STANDARD_PANEL, STANDARD_PUNCH, Statistic, laws};
-use crate::problem::Problem;
 use crate::project::home::typed_path;
 use crate::units::{Quantity, Units, from_kn, parse_typed};
 use crate::words::Choice;
@@ -88,72 +87,55 @@ pub(super) struct Typed {
     pub(super) runs: usize,
 }
 
-/// Why it is refused: the field, and in words.
-pub(super) type Refusal = (&'static str, String);
-
-/// The row's field, for a problem that names it.
-fn known(field: &str) -> Option<&'static str> {
-    ROWS.iter().map(|row| row.field).find(|known| *known == field)
-}
-
-/// A problem as a refusal; its flag is the row's, and no word for the screen.
-pub(super) fn refusal(problem: &Problem) -> Refusal {
-    let field = known(&problem.field);
-    let said = problem.to_string().replace("--", "");
-    (field.unwrap_or(ROWS[0].field), said)
-}
-
 /// What is typed in a form of tests.
 ///
 /// # Errors
-/// The first thing that is wrong.
-pub(super) fn typed(form: &MeshForm, unit: Units) -> Result<Typed, Refusal> {
-    let number = |field: &'static str, quantity| match form.text(field) {
-        "" => Ok(None),
-        text => parse_typed(text, quantity, unit).map(Some).map_err(|e| (field, e.to_string())),
+/// All that is wrong, in the order of the rows.
+pub(super) fn typed(form: &MeshForm, unit: Units) -> Result<Typed, Vec<Refusal>> {
+    let mut wrong = Vec::new();
+    let mut number = |field: &'static str, quantity| {
+        let got = match form.text(field) {
+            "" => Ok(None),
+            text => parse_typed(text, quantity, unit).map(Some).map_err(|e| (field, e.to_string())),
+        };
+        or_told(got, &mut wrong)
     };
-    let plain = |field| number(field, Quantity::Number);
-    let length = |field| number(field, Quantity::Length);
-    let line = |field| Ok(plain(field)?.map(from_kn));
-    let name = form.text("--name");
-    let id = identifier(name).ok_or(("--name", "a name needs letters or digits".to_string()))?;
-    let breaks = match form.text("--breaks") {
-        "" => None,
-        text => Some(
-            FirstBond::ALL
-                .iter()
-                .copied()
-                .find(|bond| bond.word().starts_with(&text.to_lowercase()))
-                .ok_or(("--breaks", "twist or wire, or left empty".to_string()))?,
-        ),
-    };
-    let runs = plain("--runs")?.unwrap_or(RUNS as f64);
-    if !(FEWEST_FOR_METHOD as f64..=5000.0).contains(&runs) || runs.fract() != 0.0 {
-        return Err(("--runs", format!("a whole number of runs, {FEWEST_FOR_METHOD} to 5000")));
-    }
-    let (statistic, example) = kind(form.text("--kind"))?;
-    let source = form.text("--source");
-    if source.is_empty() {
-        return Err(("--source", "a source is needed".into()));
-    }
-    let sheet = Sheet {
-        force: number("--force", Quantity::Force)?,
-        deflection: length("--deflection")?,
-        panel: length("--panel")?.unwrap_or(STANDARD_PANEL),
-        punch: length("--punch")?.unwrap_or(STANDARD_PUNCH),
-        stiffness: line("--k75")?,
-        strengths: [line("--strength-along")?, line("--strength-across")?],
-        wire_strength: plain("--wire-strength")?,
-        wire_elongation: plain("--wire-elongation")?.map(|percent| percent / 100.0),
-        first: breaks,
-        net: [length("--opening")?, length("--twist")?, length("--diameter")?],
+    let mut sheet = Sheet {
+        force: number("--force", Quantity::Force),
+        deflection: number("--deflection", Quantity::Length),
+        panel: number("--panel", Quantity::Length).unwrap_or(STANDARD_PANEL),
+        punch: number("--punch", Quantity::Length).unwrap_or(STANDARD_PUNCH),
+        net: ["--opening", "--twist", "--diameter"].map(|field| number(field, Quantity::Length)),
+        stiffness: number("--k75", Quantity::Number).map(from_kn),
+        strengths: ["--strength-along", "--strength-across"]
+            .map(|field| number(field, Quantity::Number).map(from_kn)),
+        wire_strength: number("--wire-strength", Quantity::Number),
+        wire_elongation: number("--wire-elongation", Quantity::Number)
+            .map(|percent| percent / 100.0),
         ..Sheet::default()
     };
+    let runs = number("--runs", Quantity::Number).unwrap_or(RUNS as f64);
+    sheet.first = or_told(first_bond(form.text("--breaks")), &mut wrong);
+    let name = form.text("--name");
+    let id = identifier(name).ok_or(("--name", "a name needs letters or digits".to_string()));
+    let id = or_told(id, &mut wrong);
+    if !(FEWEST_FOR_METHOD as f64..=5000.0).contains(&runs) || runs.fract() != 0.0 {
+        wrong.push(("--runs", format!("a whole number of runs, {FEWEST_FOR_METHOD} to 5000")));
+    }
+    let (statistic, example) = or_told(kind(form.text("--kind")).map(Some), &mut wrong)
+        .unwrap_or((Statistic::Mean, false));
+    let source = form.text("--source");
+    if source.is_empty() {
+        wrong.push(("--source", "a source is needed".into()));
+    }
     let curve = Some(form.text("--curve")).filter(|text| !text.is_empty());
     // A curve may bring force and deflection; it is read behind the screen.
     if curve.is_none() {
-        let data = sheet.clone().data(&laws::reference().net);
-        data.map_err(|found| found.first().map_or(("--name", String::new()), refusal))?;
+        let found = sheet.clone().data(&laws::reference().net).err().unwrap_or_default();
+        wrong.extend(found.iter().map(|problem| form.refusal(problem)));
+    }
+    if !wrong.is_empty() {
+        return Err(form.in_order(wrong));
     }
     let words = MeshWords {
         id,
@@ -165,6 +147,19 @@ pub(super) fn typed(form: &MeshForm, unit: Units) -> Result<Typed, Refusal> {
     };
     let curve = curve.map(|text| typed_path(Path::new(text)));
     Ok(Typed { words, sheet, curve, runs: runs as usize })
+}
+
+/// Which bond breaks first, where it is said.
+fn first_bond(text: &str) -> Result<Option<FirstBond>, Refusal> {
+    let fits = |bond: &&FirstBond| bond.word().starts_with(&text.to_lowercase());
+    match text {
+        "" => Ok(None),
+        _ => FirstBond::ALL
+            .iter()
+            .find(fits)
+            .map(|bond| Some(*bond))
+            .ok_or(("--breaks", "twist or wire, or left empty".to_string())),
+    }
 }
 
 /// Mean or characteristic, and whether the values are made up.
@@ -233,14 +228,14 @@ mod tests {
         ] {
             let rest = EXAMPLE.iter().filter(|(known, _)| *known != field).copied();
             let values: Vec<(&str, &str)> = rest.chain([(field, text)]).collect();
-            let (named, why) = typed(&filled(&values), Units::METRES).err().unwrap();
+            let (named, why) = typed(&filled(&values), Units::METRES).err().unwrap().swap_remove(0);
             // A panel that no punch fits into is said of the punch.
             let row = if field == "--panel" { "--punch" } else { field };
             assert!(named == row && why.contains(part) && !why.contains("--"), "{named}: {why}");
         }
         for missing in ["--name", "--force", "--kind", "--source"] {
             let rest: Vec<_> = EXAMPLE.into_iter().filter(|(field, _)| *field != missing).collect();
-            assert_eq!(typed(&filled(&rest), Units::METRES).err().unwrap().0, missing);
+            assert_eq!(typed(&filled(&rest), Units::METRES).err().unwrap()[0].0, missing);
         }
     }
 }

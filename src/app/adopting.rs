@@ -1,6 +1,7 @@
 //! A mesh adopted from its own tests: its form, the work behind the screen, and what comes of it.
 
-use super::adopt_form::{self, Refusal, Typed, refusal, typed};
+use super::adopt_form::{self, Typed, typed};
+use super::mesh_form::Refusal;
 use super::message::Command;
 use super::{App, Mode};
 use crate::job::adoption::AdoptJob;
@@ -8,7 +9,6 @@ use crate::job::order::Task;
 use crate::lab::adopt::folder;
 use crate::mesh::MeshType;
 use crate::problem::Problem;
-use std::path::Path;
 use std::sync::Arc;
 
 impl App {
@@ -28,7 +28,7 @@ impl App {
     pub(super) fn take_adopt_form(&mut self) -> Vec<Command> {
         let unit = self.units();
         let Some(form) = self.screen.mesh_form() else { return Vec::new() };
-        let typed = typed(form, unit);
+        let typed = typed(form, unit).map_err(|wrong| wrong.into_iter().next().unwrap_or_default());
         match typed.and_then(|typed| self.adoption(typed)) {
             Ok(job) => {
                 let id = job.words.id.clone();
@@ -64,14 +64,14 @@ impl App {
     /// The work ended because of what was typed: the form comes back where nothing else is open.
     pub(super) fn form_refused(&mut self, problems: &[Problem]) {
         let Some(problem) = problems.first() else { return };
-        let (field, why) = refusal(problem);
         if matches!(self.screen.mode(), Mode::Main) {
             self.show_adopt_form();
             if let Some(form) = self.screen.mesh_form() {
+                let (field, why) = form.refusal(problem);
                 form.refuse(field, why);
             }
         } else {
-            self.complain(why);
+            self.complain(problem.to_string().replace("--", ""));
         }
     }
 
@@ -81,7 +81,6 @@ impl App {
         (number, uid): (u64, u64),
         mesh: &Arc<MeshType>,
         remarks: &[String],
-        folder: &Path,
     ) {
         // Work that gave way, or of another project, is heard no more: it is kept, and quickly taken up.
         if !self.work.at_steps(number) {
@@ -90,9 +89,12 @@ impl App {
         match self.editor.adopt_mesh(uid, mesh) {
             Ok(said) => {
                 self.screen.forget_form();
-                let also = if remarks.is_empty() { "" } else { "; remarks: " };
-                let kept = format!("{} can go then", folder.display());
-                self.inform(format!("{said}; Ctrl+S saves it, {kept}{also}{}", remarks.join("; ")));
+                // They were made for the command line, whose flags are the rows of the form.
+                let remarks: Vec<String> = remarks
+                    .iter()
+                    .map(|remark| format!("; {}", remark.replace("--", "")))
+                    .collect();
+                self.inform(format!("{said}; Ctrl+S saves it{}", remarks.concat()));
             }
             Err(why) => self.complain(why),
         }

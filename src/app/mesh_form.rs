@@ -5,6 +5,7 @@ use super::entry::{EditTarget, LineEntry};
 use super::key::Key;
 use crate::mesh::adopted::NamedMethods;
 use crate::mesh::{LabRecord, MeshType, STANDARD_PANEL, STANDARD_PUNCH, Statistic};
+use crate::problem::Problem;
 use crate::units::{Quantity, Units, parse_typed};
 use crate::words::Choice;
 
@@ -18,6 +19,17 @@ pub(crate) struct FormRow {
 
 pub(super) const fn row(label: &'static str, field: &'static str, about: &'static str) -> FormRow {
     FormRow { label, field, about }
+}
+
+/// Why a row is refused: its field, and in words.
+pub(super) type Refusal = (&'static str, String);
+
+/// The value; where there is none, what is wrong is put to the rest and an empty one stands for it.
+pub(super) fn or_told<T: Default>(got: Result<T, Refusal>, wrong: &mut Vec<Refusal>) -> T {
+    got.unwrap_or_else(|refusal| {
+        wrong.push(refusal);
+        T::default()
+    })
 }
 
 /// What a form is for.
@@ -86,8 +98,7 @@ impl MeshForm {
 
     /// What stands in a row, by its field.
     pub(super) fn text(&self, field: &str) -> &str {
-        let row = self.rows().iter().position(|row| row.field == field);
-        row.and_then(|row| self.lines.get(row)).map_or("", |line| line.text().trim())
+        self.row_of(field).and_then(|row| self.lines.get(row)).map_or("", |line| line.text().trim())
     }
 
     /// The line of the marked row.
@@ -107,12 +118,40 @@ impl MeshForm {
 
     /// Marks what is wrong.
     pub(super) fn refuse(&mut self, field: &str, why: String) {
-        self.index = self.rows().iter().position(|row| row.field == field).unwrap_or(self.index);
+        self.index = self.row_of(field).unwrap_or(self.index);
         self.error = Some(why);
     }
 
-    /// The mesh that is typed; else the field that is wrong, and why.
-    pub(super) fn mesh(&self, unit: Units) -> Result<MeshType, (&'static str, String)> {
+    /// The row of a field.
+    fn row_of(&self, field: &str) -> Option<usize> {
+        self.rows().iter().position(|row| row.field == field)
+    }
+
+    /// A problem as a refusal; that of no row is put to the first. Its flag is the row's, and no word for the screen.
+    pub(super) fn refusal(&self, problem: &Problem) -> Refusal {
+        let field = self.rows()[self.row_of(&problem.field).unwrap_or(0)].field;
+        (field, problem.to_string().replace("--", ""))
+    }
+
+    /// What is wrong, the first row's first; of a row what was found first.
+    pub(super) fn in_order(&self, mut wrong: Vec<Refusal>) -> Vec<Refusal> {
+        wrong.sort_by_key(|(field, _)| self.row_of(field));
+        wrong
+    }
+
+    /// Of what is wrong, what is said of the marked row. A row that was left empty may be filled in later.
+    pub(super) fn said_here(&self, wrong: Vec<Refusal>) -> Option<Refusal> {
+        let here = self.rows()[self.index].field;
+        let said = wrong.into_iter().find(|(field, _)| *field == here);
+        said.filter(|_| !self.text(here).is_empty())
+    }
+
+    /// The mesh that is typed.
+    ///
+    /// # Errors
+    /// All that is wrong, in the order of the rows.
+    pub(super) fn mesh(&self, unit: Units) -> Result<MeshType, Vec<Refusal>> {
+        let mut wrong = Vec::new();
         let text = |row: usize| self.lines[row].text().trim();
         let number = |row: usize, quantity| {
             parse_typed(text(row), quantity, unit).map_err(|e| (ROWS[row].field, e.to_string()))
@@ -124,32 +163,36 @@ impl MeshForm {
             "" => Ok(None),
             _ => number(row, Quantity::Length).map(Some),
         };
-        if text(0).is_empty() {
-            return Err((ROWS[0].field, "a mesh needs an identifier".into()));
-        }
-        Ok(MeshType {
+        let mut needed = |row: usize, missing: bool, why: &str| {
+            if missing {
+                wrong.push((ROWS[row].field, why.to_string()));
+            }
+        };
+        needed(0, text(0).is_empty(), "a mesh needs an identifier");
+        needed(4, statistic.is_none(), "mean, characteristic or minimum?");
+        needed(7, text(7).is_empty(), "a source is needed");
+        let mesh = MeshType {
             id: text(0).into(),
             name: text(1).into(),
             reference: false,
             example: false,
             laboratory: LabRecord {
-                force: number(2, Quantity::Force)?,
-                deflection: length(3)?,
-                statistic: statistic
-                    .ok_or((ROWS[4].field, "mean, characteristic or minimum?".into()))?,
-                panel: length(5)?.unwrap_or(STANDARD_PANEL),
+                force: or_told(number(2, Quantity::Force), &mut wrong),
+                deflection: or_told(length(3), &mut wrong),
+                statistic: statistic.unwrap_or(Statistic::Mean),
+                panel: or_told(length(5), &mut wrong).unwrap_or(STANDARD_PANEL),
                 punch: STANDARD_PUNCH,
                 standard: text(6).into(),
                 date: String::new(),
-                source: match text(7) {
-                    "" => Err((ROWS[7].field, "a source is needed".to_string())),
-                    source => Ok(source.into()),
-                }?,
+                source: text(7).into(),
             },
             ratios: None,
             wire: None,
             adopted: None,
             methods: NamedMethods::default(),
-        })
+        };
+        let ranges = mesh.check().err().unwrap_or_default();
+        wrong.extend(ranges.iter().map(|problem| self.refusal(problem)));
+        if wrong.is_empty() { Ok(mesh) } else { Err(self.in_order(wrong)) }
     }
 }

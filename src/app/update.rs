@@ -56,8 +56,8 @@ impl App {
             Message::Work(news) => {
                 match news.what {
                     What::FormRefused(problems) => self.form_refused(&problems),
-                    What::Adopted { uid, mesh, remarks, folder } => {
-                        self.adopted((news.number, uid), &mesh, &remarks, &folder);
+                    What::Adopted { uid, mesh, remarks } => {
+                        self.adopted((news.number, uid), &mesh, &remarks);
                     }
                     _ => {
                         if let Some(said) = self.work.news(&mut self.editor, news) {

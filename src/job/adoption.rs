@@ -5,7 +5,7 @@ use super::desk::Ticket;
 use super::news::{StepProgress, What};
 use super::pace::{Pace, QUIET};
 use crate::dem::{Fidelity, Flow};
-use crate::lab::adopt::{AdoptFault, AdoptPlan, AdoptStep, MeshWords};
+use crate::lab::adopt::{AdoptFault, AdoptPlan, AdoptStep, MeshWords, folder, remove};
 use crate::lab::campaign::EXPECTED_BREAK;
 use crate::lab::fit::curve::LabCurve;
 use crate::lab::fit::posterior::IdentifyOptions;
@@ -13,7 +13,7 @@ use crate::lab::fit::say::remarks;
 use crate::lab::fit::sheet::Sheet;
 use crate::mesh::laws;
 use crate::problem::Problem;
-use crate::project;
+use crate::project::{self, MeshUse, Project};
 use crate::study::ensemble::EnsembleProgress;
 use crate::words::Choice;
 use std::path::{Path, PathBuf};
@@ -35,6 +35,17 @@ pub struct AdoptJob {
     pub(crate) runs: usize,
     /// The layout that the mesh is for, by its uid.
     pub(crate) uid: u64,
+}
+
+/// What was kept on the way to the project's adopted meshes can go: they are written.
+pub(crate) fn forget(project: &Project, file: &Path) {
+    for held in &project.meshes {
+        if let MeshUse::Inline(mesh) = held
+            && mesh.adopted.is_some()
+        {
+            remove(&folder(file, &mesh.id));
+        }
+    }
 }
 
 impl AdoptJob {
@@ -75,8 +86,7 @@ impl AdoptJob {
         };
         let Some(made) = plan.adopt(&self.folder, (true, ""), &tell)? else { return Ok(None) };
         let remarks = remarks(&plan.data, &made.found);
-        let folder = self.folder.clone();
-        Ok(Some(What::Adopted { uid: self.uid, mesh: Arc::new(made.mesh), remarks, folder }))
+        Ok(Some(What::Adopted { uid: self.uid, mesh: Arc::new(made.mesh), remarks }))
     }
 }
 

@@ -5,7 +5,6 @@ use crate::mesh::MeshType;
 use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
 use crate::study::result::make::Made;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// News of an order.
@@ -54,8 +53,6 @@ pub enum What {
         mesh: Arc<MeshType>,
         /// What is to be known of it.
         remarks: Vec<String>,
-        /// Where what was done on the way is kept.
-        folder: PathBuf,
     },
     /// What was typed in a form cannot be used; fields are named by flags. [`What::Ended`] follows.
     FormRefused(Vec<Problem>),

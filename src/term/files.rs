@@ -8,6 +8,7 @@ use crate::app::message::{
 };
 use crate::app::saving::READS_ONLY;
 use crate::app::settings::{SettingItem, Settings};
+use crate::job::adoption;
 use crate::project::home::typed_path;
 use crate::project::{
     self, Claimed, Document, FileStamp, Holder, Home, Opened, Overwrite, OwnRecovery, Project,
@@ -152,6 +153,9 @@ impl Host for FileHost {
             None => document.save(project, overwrite),
         };
         let report = result.map_err(|error| failure(&error, path))?;
+        for file in before.path().into_iter().chain([report.path.as_path()]) {
+            adoption::forget(project, file);
+        }
         let moved = before.path() != document.path();
         *lock(&self.document) = Arc::new(document);
         if let Some(claimed) = claimed {

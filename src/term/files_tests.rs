@@ -1,6 +1,9 @@
 //! Saving and keeping through the host, in a directory of its own.
 
 use super::*;
+use crate::forecast::derived::{Arranged, shipped};
+use crate::mesh::adopted::{Adopted, AdoptedQuality, KeptMethod};
+use crate::mesh::catalogue;
 use crate::project;
 use std::fs;
 use tempfile::TempDir;
@@ -34,6 +37,29 @@ fn a_save_goes_to_the_file_and_leaves_the_recovery_file_to_the_loop() {
     assert!(!kept.exists());
     assert_eq!(project::load(&path).unwrap().project, *edited);
     assert_eq!(files.home.recent(), [path]);
+}
+
+#[test]
+fn what_was_kept_of_an_adoption_goes_when_its_mesh_is_written_and_not_before() {
+    let (_dir, path, files, project) = open();
+    let mut mesh = (*catalogue::reference()).clone();
+    (mesh.id, mesh.reference) = ("mine".into(), false);
+    mesh.adopted = Some(Adopted {
+        quality: AdoptedQuality::TwoTests,
+        low: 24e3,
+        middle: 27e3,
+        high: 30e3,
+        methods: vec![KeptMethod::keep(shipped(Arranged::Repeated).clone())],
+    });
+    let kept = path.with_file_name("road.adopt-mine");
+    fs::create_dir(&kept).unwrap();
+    fs::write(kept.join("laws.txt"), "a line").unwrap();
+    files.save(&edited(&project, "without it"), None, false).unwrap();
+    assert!(kept.exists());
+    let mut with = project.clone();
+    with.meshes.push(project::MeshUse::Inline(Arc::new(mesh)));
+    files.save(&Arc::new(with), None, false).unwrap();
+    assert!(!kept.exists());
 }
 
 #[test]

@@ -2,11 +2,11 @@
 
 use super::check;
 use super::inputs::typed_text;
-use super::text::{cut, put, put_right, width};
+use super::text::{clear, cut, put, put_right, width};
 use super::theme::Theme;
 use crate::app::entry::{EditTarget, LineEntry};
 use crate::app::keymap;
-use crate::app::{App, Level, Mode};
+use crate::app::{App, Level, Mode, Status};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
@@ -32,21 +32,23 @@ pub(crate) fn title(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     put_right(buf, row, 0, &right, theme.text);
 }
 
-/// Draws the bottom line. Returns the place of the cursor where text is typed in it.
-pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) -> Option<Position> {
+/// Most lines that a message takes of the screen.
+const MESSAGE_LINES: usize = 6;
+
+/// Draws the bottom line. `roomy` tells that a message may take some of the lines above it. Returns the place of
+/// the cursor where text is typed in it.
+pub(crate) fn bottom(
+    app: &App,
+    row: Rect,
+    roomy: bool,
+    buf: &mut Buffer,
+    theme: &Theme,
+) -> Option<Position> {
     if let Mode::Entry(entry) = app.mode() {
         return prompt(app, entry, row, buf, theme);
     }
     if let Some(status) = app.status() {
-        let style = match status.level {
-            Level::Info => theme.title,
-            Level::Error => theme.error,
-        };
-        let text = match status.level {
-            Level::Info => format!(" {}", status.text),
-            Level::Error => format!(" ! {}", status.text),
-        };
-        put(buf, row, 0, 0, &cut(&text, usize::from(row.width)), style);
+        message(status, row, roomy, buf, theme);
         return None;
     }
     if let Some(text) = check::progress(app) {
@@ -55,6 +57,36 @@ pub(crate) fn bottom(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) -> O
     }
     hints(app, row, buf, theme);
     None
+}
+
+/// Draws a message, until the next key. One that is too long for its line takes some of those above it. On a small
+/// screen, where the answer stands there, only what was refused does.
+fn message(status: &Status, row: Rect, roomy: bool, buf: &mut Buffer, theme: &Theme) {
+    let (style, head) = match status.level {
+        Level::Info => (theme.title, " "),
+        Level::Error => (theme.error, " ! "),
+    };
+    let text = format!("{head}{}", status.text);
+    let columns = usize::from(row.width);
+    let most = if roomy || status.level == Level::Error { MESSAGE_LINES } else { 1 };
+    if width(&text) <= row.width || most == 1 {
+        put(buf, row, 0, 0, &cut(&text, columns), style);
+        return;
+    }
+    let indent = " ".repeat(head.len());
+    let options = textwrap::Options::new(columns).initial_indent(head).subsequent_indent(&indent);
+    let mut lines = textwrap::wrap(&status.text, options);
+    if lines.len() > most {
+        // The rest is told to be there.
+        let rest = lines.split_off(most - 1).join(" ");
+        lines.push(cut(&rest, columns).into());
+    }
+    let height = (lines.len() as u16).min(row.y);
+    let over = Rect { y: row.y + 1 - height, height, ..row };
+    clear(buf, over);
+    for (k, line) in lines.iter().enumerate() {
+        put(buf, over, k as u16, 0, line, style);
+    }
 }
 
 /// As many hints of the key map as fit, the most important first.

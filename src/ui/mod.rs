@@ -74,7 +74,7 @@ pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
     hint::title(app, top, buf, &theme);
     if let Some(page) = app.page_open() {
         let place = studies::draw(app, page, middle, buf, &theme);
-        return hint::bottom(app, bottom, buf, &theme).or(place);
+        return hint::bottom(app, bottom, fits(FULL), buf, &theme).or(place);
     }
     let place = match app.mode() {
         Mode::Help { scroll } => page::draw(app, "help", *scroll, middle, buf, &theme),
@@ -102,7 +102,7 @@ pub fn draw(app: &App, buf: &mut Buffer) -> Option<Position> {
             told.or(asked).or(behind)
         }
     };
-    hint::bottom(app, bottom, buf, &theme).or(place)
+    hint::bottom(app, bottom, fits(FULL), buf, &theme).or(place)
 }
 
 /// Rows of an area, one below the other, each as high as asked for; the last takes the rest.

@@ -10,7 +10,6 @@ use meshcast::layout::MethodChoice;
 use meshcast::mesh::catalogue;
 use meshcast::problem::Problem;
 use meshcast::project::{MeshUse, Project};
-use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
 /// The made-up double-twist mesh 6x8 of 2.2 mm wire, tested on a small panel so that it is soon done.
@@ -50,23 +49,28 @@ fn the_form_at_every_size() {
 #[test]
 fn what_is_wrong_is_marked_in_its_row_and_nothing_is_lost() {
     let mut app = start(road_cut(), (80, 24), MONO);
-    press(&mut app, "mAmine<Enter>20<Enter><Enter>0.9<PgDn>");
+    // What is wrong in a row is said at its Enter; a row that is left empty may be filled in later.
+    press(&mut app, "mA<Enter>20 apples<Enter>");
+    let shown = text(&app);
+    assert!(shown.contains(">force") && shown.contains("apples"), "{shown}");
+    press(&mut app, "<C-u>73300 kN<Enter>");
+    let shown = text(&app);
+    assert!(shown.contains(">force") && shown.contains("allowed: 0.5"), "{shown}");
+    press(&mut app, "<PgUp>mine<Enter><C-u>20<Enter><Enter>0.9<PgDn>");
     let press_last = |app: &mut App| press(app, "<Enter>");
+    assert!(press_last(&mut app).is_empty());
+    // The punch of 1 m does not fit into a panel of 0.9 m; the first row that is wrong is shown.
+    let shown = text(&app);
+    assert!(shown.contains(">punch") && shown.contains("below the panel of 0.9 m"), "{shown}");
+    press(&mut app, "0.5<PgDn>");
     assert!(press_last(&mut app).is_empty());
     assert!(
         text(&app).contains(">kind") && text(&app).contains("mean, characteristic or minimum?")
     );
-    press(&mut app, "m<PgDn>a sheet<Enter>");
-    // The punch of 1 m does not fit into a panel of 0.9 m.
-    let shown = text(&app);
-    assert!(shown.contains(">punch") && shown.contains("below the panel of 0.9 m"), "{shown}");
     // Left and shown again, all of it stands there.
-    press(&mut app, "<Esc>A");
+    press(&mut app, "m<PgDn>a sheet<Esc>A");
     assert!(text(&app).contains("a sheet") && text(&app).contains("mine"), "{}", text(&app));
-    press(
-        &mut app,
-        "<PgUp><C-u>dt 8x10 2.7<PgDn><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up><Up>0.5",
-    );
+    press(&mut app, "<PgUp><C-u>dt 8x10 2.7");
     press(&mut app, "<PgDn><Enter>");
     let shown = text(&app);
     assert!(shown.contains(">name") && shown.contains("there is a mesh"), "{shown}");
@@ -125,8 +129,7 @@ fn the_mesh_comes_into_the_project_as_one_undo_and_only_where_it_was_asked_for()
     let adopted = || What::Adopted {
         uid: before.layouts[0].uid,
         mesh: canned(),
-        remarks: vec!["which bond broke first is not known".into()],
-        folder: PathBuf::from("/site/road-cut.adopt-mine"),
+        remarks: vec!["which bond broke first is not known; --breaks would tell it".into()],
     };
     // Another layout is selected by then.
     press(&mut app, "<Tab>");
@@ -141,7 +144,12 @@ fn the_mesh_comes_into_the_project_as_one_undo_and_only_where_it_was_asked_for()
         ("mine", "dt-8x10-2.7")
     );
     assert_eq!(layout(&app, 0).layout.method, MethodChoice::Derived);
-    assert!(bottom(&app).contains("mesh mine adopted and given to bench 2"), "{}", bottom(&app));
+    // The message takes the lines it needs.
+    let shown = text(&app).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        shown.ends_with("mesh mine adopted and given to bench 2; u takes it back; Ctrl+S saves it; which bond broke first is not known; breaks would tell it"),
+        "{shown}"
+    );
     press(&mut app, "u");
     assert!(**app.project() == *before);
     // Late news of work that gave way change nothing.
@@ -192,7 +200,7 @@ fn the_example_is_adopted_from_end_to_end_by_keys() {
         app.update(Message::Work(news));
     }
     let shown = text(&app);
-    assert!(bottom(&app).contains("mesh example-6x8-2.2 adopted and given to"), "{shown}");
+    assert!(shown.contains("mesh example-6x8-2.2 adopted and given to"), "{shown}");
     assert_eq!(app.layout().mesh, "example-6x8-2.2");
     press(&mut app, "i");
     let shown = text(&app);

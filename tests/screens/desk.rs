@@ -563,9 +563,9 @@ fn a_mesh_is_added_by_a_form_and_saved_with_the_project() {
     };
     let same = format!("{before}<Enter><Enter>1<Enter><Enter>m<Enter><Enter><Enter>s<Enter>");
     assert!(tried(&mut app, &same).contains("already; take another identifier"));
-    let said = tried(&mut app, "a<Enter><Enter>x<Enter><Enter>m<Enter><Enter><Enter>s<Enter>");
+    let said = tried(&mut app, "a<Enter><Enter>x<Enter>");
     assert!(said.contains(r#""x" is not a number"#), "{said}");
-    let said = tried(&mut app, "a<Enter><Enter>1<Enter><Enter>m<Enter>0.5<Enter><Enter>s<Enter>");
+    let said = tried(&mut app, "a<Enter><Enter>1<Enter><Enter>m<Enter>0.5<Enter>");
     assert!(said.contains("no punch fits into a panel"), "{said}");
     // The lists are looked through too.
     press(&mut app, "e/table<Enter>");
