@@ -152,3 +152,24 @@ fn a_project_without_layouts_has_a_report() {
     let text = read(&report(&project, &[], &[]).html());
     assert!(text.contains("The project has no layouts."));
 }
+
+/// The last line of a layout's page ran over onto a page of its own: pictures came first and took what there was.
+#[test]
+fn in_the_short_form_what_to_distrust_comes_before_pictures_that_leave_it_room() {
+    let project = super::sample("road-cut.ron");
+    let cases = good(&project);
+    let long = report(&project, &cases, &[]);
+    assert!(!long.html().contains("<body class=\"short\">"));
+    let html = Report { short: true, ..long }.html();
+    assert!(html.contains("<body class=\"short\">"));
+    // Heights that printed, with margins, leave 80 mm of an A4 page of 263 mm to heading and words.
+    assert!(html.contains("body.short figure.whole svg { max-height: 106mm; }"));
+    assert!(html.contains("body.short figure svg { max-height: 72mm; }"));
+    let pages: Vec<&str> = html.split("<div class=\"page\"></div>").skip(1).collect();
+    assert_eq!(pages.len(), cases.len());
+    for page in pages {
+        let [words, pictures] = ["arning", "<figure"].map(|part| page.find(part));
+        let said = words.or_else(|| page.find("Caution")).or_else(|| page.find("Note"));
+        assert!(said.expect("something is said") < pictures.expect("a picture"), "{page}");
+    }
+}

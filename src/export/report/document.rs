@@ -127,6 +127,8 @@ pub(crate) struct Picture {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ReportDocument {
     pub(crate) title: String,
+    /// Whether a layout is to have one page.
+    pub(crate) short: bool,
     /// Its blocks in order.
     pub(crate) blocks: Vec<Block>,
 }

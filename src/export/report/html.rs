@@ -39,8 +39,10 @@ pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space:
   div.page { break-before: page; }
   div.pictures { display: block; }
   figure { margin: 2mm 0; }
-  figure svg { max-height: 62mm; }
+  figure svg { max-height: 62mm; width: auto; }
   figure.whole svg { max-height: 215mm; }
+  body.short figure svg { max-height: 72mm; }
+  body.short figure.whole svg { max-height: 106mm; }
 }
 @page { size: A4; margin: 16mm 16mm 18mm; @bottom-right { content: counter(page) \" / \" counter(pages); font: 8pt sans-serif; } }
 ";
@@ -48,10 +50,12 @@ pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space:
 /// The whole page.
 pub(crate) fn page(document: &ReportDocument) -> String {
     let title = xml(&document.title);
+    // A layout's page holds its pictures too, so that they are smaller when printed.
+    let form = if document.short { " class=\"short\"" } else { "" };
     let mut out = format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body{form}>\n<h1>{title}</h1>\n"
     );
     for group in kept_together(&document.blocks) {
         if let [one] = group {

@@ -70,7 +70,7 @@ fn pictures(name: &str, series: Series<'_>, unit: Units, document: &mut ReportDo
     document.blocks.push(Block::Pictures(lines.into_iter().chain([plan]).collect()));
 }
 
-/// A layout on one page: verdict, curve, what to distrust.
+/// A layout on one page: verdict, what to distrust, curve and plan.
 pub(crate) fn short(
     report: &Report<'_>,
     index: usize,
@@ -80,8 +80,8 @@ pub(crate) fn short(
     let unit = report.unit;
     let name = heading(index, case, document);
     judged(case, unit, document);
-    pictures(name, Series { case, check: report.check(index) }, unit, document);
     warnings(case, unit, document);
+    pictures(name, Series { case, check: report.check(index) }, unit, document);
 }
 
 /// Begins the section of a layout and returns its name.

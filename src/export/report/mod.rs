@@ -59,6 +59,7 @@ impl Report<'_> {
     pub(crate) fn document(&self) -> ReportDocument {
         let mut document = ReportDocument {
             title: format!("{}: anchored wire mesh, forecast", self.project.name),
+            short: self.short,
             blocks: Vec::new(),
         };
         front::project(self, &mut document);
