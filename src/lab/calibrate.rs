@@ -20,7 +20,7 @@ use crate::mesh::laws::scaled;
 use crate::mesh::wire::WireData;
 use crate::problem::Problem;
 use crate::study::ensemble::{self, Ensemble, EnsembleProgress, Plan};
-use crate::units::significant;
+use crate::units::{significant, to_kn};
 use std::ops::RangeInclusive;
 
 /// A laboratory punch test to reproduce.
@@ -171,7 +171,7 @@ pub fn fit(
         let [stress, strain] = newton.at.map(f64::exp);
         let wire = law(start, stress, strain);
         if wire.check().is_err() {
-            return Err(vec![unreachable_target(stress, strain)]);
+            return Err(vec![unreachable_target(stress, strain, best.as_ref())]);
         }
         let spec = scene(target, wire);
         let laboratory = ensemble::run(&spec, &controls, &plan, &|now| progress(trial, now))?;
@@ -180,7 +180,7 @@ pub fn fit(
         }
         let (force, deflection) = (laboratory.force.mean, laboratory.deflection.mean);
         if !(force > 0.0 && deflection > 0.0) {
-            return Err(vec![unreachable_target(stress, strain)]);
+            return Err(vec![unreachable_target(stress, strain, best.as_ref())]);
         }
         let residual = [force / target.force - 1.0, deflection / target.deflection - 1.0];
         let size = |r: [f64; 2]| r[0].abs().max(r[1].abs());
@@ -200,9 +200,21 @@ pub fn fit(
     Ok(best)
 }
 
-fn unreachable_target(stress: f64, strain: f64) -> Problem {
+/// That the search left what wires can be, with the nearest it had before and where else to begin.
+fn unreachable_target(stress: f64, strain: f64, nearest: Option<&Fit>) -> Problem {
+    let scales = |stress, strain| format!("stress scale {stress:.3}, strain scale {strain:.3}");
+    let nearest = nearest.map_or(String::new(), |fit| {
+        let mean = &fit.laboratory;
+        format!(
+            "the nearest was {} kN at {} m, by {}; ",
+            significant(to_kn(mean.force.mean), 3),
+            significant(mean.deflection.mean, 3),
+            scales(fit.stress, fit.strain)
+        )
+    });
     Problem::new("", "no scale of the starting law reaches this punch test").advice(format!(
-        "the search came to stress scale {stress:.3}, strain scale {strain:.3}; start --from another mesh"
+        "the search came to {}; {nearest}--ensemble begins with a weak and with a strong twist, moves twist and wire apart and gives the nearest of all such laws; or start --from another mesh",
+        scales(stress, strain)
     ))
 }
 

@@ -63,6 +63,18 @@ fn a_noisy_curve_gives_the_laws_that_fit_it_on_any_threads() {
     assert_eq!(std::fs::read_to_string(&out).unwrap(), wires);
 }
 
+/// Any test at 0.45 m left the scales that wires can have, and the answer neither said what could be reached nor
+/// from where to begin.
+#[test]
+fn a_test_that_no_scale_reaches_is_answered_with_the_nearest_and_where_to_begin() {
+    let least = ["--runs", "1", "--fidelity", "quick"];
+    let e =
+        refused(&[&["calibrate", "--force", "180", "--deflection", "0.45"], &least[..]].concat());
+    assert!(e.contains("no scale of the starting law reaches this punch test"), "{e}");
+    assert!(e.contains("the nearest was ") && e.contains(" kN at 0."), "{e}");
+    assert!(e.contains("--ensemble") && e.contains("--from another mesh"), "{e}");
+}
+
 #[test]
 fn bad_laboratory_data_are_refused_in_clear_words() {
     let said = |text: &str, more: &[&str]| {
