@@ -2,7 +2,7 @@
 
 use super::{ODD, good, keep, odd, projects};
 use meshcast::export::{Check, ExportedLayout, Report, ReportSource};
-use meshcast::project::Project;
+use meshcast::project::{NamedLayout, Project};
 use roxmltree::{Document, Node, ParsingOptions};
 
 fn report<'a>(
@@ -151,6 +151,21 @@ fn a_project_without_layouts_has_a_report() {
     project.layouts.clear();
     let text = read(&report(&project, &[], &[]).html());
     assert!(text.contains("The project has no layouts."));
+}
+
+/// The verdicts of 24 layouts did not fit below the head of the report, and went to its second page.
+#[test]
+fn a_long_table_of_numbers_is_printed_small() {
+    let mut project = super::sample("road-cut.ron");
+    let tables = |project: &Project| report(project, &good(project), &[]).html();
+    assert!(!tables(&project).contains("numbers many\""));
+    let one = project.layouts[0].clone();
+    project.layouts =
+        (0..24).map(|k| NamedLayout { name: format!("bench {k}"), ..one.clone() }).collect();
+    let html = tables(&project);
+    let verdicts = html.find("<table class=\"numbers many\">").expect("a long table");
+    assert!(verdicts > html.find("<h2>Verdict</h2>").unwrap());
+    assert!(html.contains("table.many { font-size: 7pt; }"));
 }
 
 /// The last line of a layout's page ran over onto a page of its own: pictures came first and took what there was.

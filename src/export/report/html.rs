@@ -30,22 +30,28 @@ pre { background: #f3f3f3; border: 1px solid #ccc; padding: 0.5rem; white-space:
   pre { border-color: #999; }
   p, li { orphans: 3; widows: 3; }
   div.wide { overflow: visible; break-inside: avoid; }
-  table { max-width: 100%; font-size: 8pt; }
+  table { max-width: 100%; font-size: 8pt; line-height: 1.25; }
   thead { display: table-header-group; }
   th, td { padding: 0.4mm 1.2mm; overflow-wrap: anywhere; }
   table.numbers td + td, table.numbers th + th { overflow-wrap: break-word; }
   table.numbers td + td code { overflow-wrap: anywhere; }
+  table.many { font-size: 7pt; }
+  table.many th, table.many td { padding: 0.25mm 0.8mm; }
+  table.numbers.many td + td { white-space: nowrap; }
   div.keep { break-inside: avoid; }
   div.page { break-before: page; }
   div.pictures { display: block; }
   figure { margin: 2mm 0; }
   figure svg { max-height: 62mm; width: auto; }
-  figure.whole svg { max-height: 215mm; }
+  figure.whole svg { max-height: 135mm; }
   body.short figure svg { max-height: 72mm; }
   body.short figure.whole svg { max-height: 106mm; }
 }
 @page { size: A4; margin: 16mm 16mm 18mm; @bottom-right { content: counter(page) \" / \" counter(pages); font: 8pt sans-serif; } }
 ";
+
+/// Rows from which on a table of numbers is printed small, so that one of every layout has room on the first page.
+const MANY: usize = 12;
 
 /// The whole page.
 pub(crate) fn page(document: &ReportDocument) -> String {
@@ -114,7 +120,11 @@ fn block(block: &Block, out: &mut String) {
             writeln!(out, "<ul>\n{items}</ul>")
         }
         Block::Table { head, rows, numbers } => {
-            let class = if *numbers { " class=\"numbers\"" } else { "" };
+            let class = match (*numbers, rows.len() > MANY) {
+                (true, true) => " class=\"numbers many\"",
+                (true, false) => " class=\"numbers\"",
+                (false, _) => "",
+            };
             let head: String = head.iter().map(|c| format!("<th>{}</th>", line(c))).collect();
             let _ = writeln!(
                 out,
