@@ -76,13 +76,34 @@ pub enum Flow {
     Cancel,
 }
 
-/// Builds a scene and runs it.
+/// Builds a scene and runs it; once more, slower, where the controls ask for a run that keeps its aim.
 ///
 /// `progress` is called after every window and may end the run; time is the caller's to take.
 ///
 /// # Errors
 /// What is wrong with the scene or the controls; a step beyond the stability bound is refused here.
 pub fn check(
+    spec: &SceneSpec,
+    controls: &Controls,
+    progress: &mut dyn FnMut(RunProgress) -> Flow,
+) -> Result<RunOutcome, Vec<Problem>> {
+    let first = once(spec, controls, progress)?;
+    let (fidelity, estimate) = (controls.fidelity, first.quality.error_estimate);
+    // Where a snap decides a slower punch helps as little as a higher fidelity.
+    let helps = first.first_break.is_some() && first.stop != Stop::Cancelled && !first.snaps();
+    if !controls.to_aim || controls.speed.is_some() || fidelity.keeps(estimate) || !helps {
+        return Ok(first);
+    }
+    let travel = controls.scheme(&Scene::new(spec)?)?.travel;
+    let slower = Controls { speed: Some(travel * fidelity.slower(estimate)), ..controls.clone() };
+    let mut again = once(spec, &slower, progress)?;
+    again.cost.steps += first.cost.steps;
+    again.cost.steps_to_break += first.cost.steps_to_break;
+    Ok(again)
+}
+
+/// Builds a scene and runs it; with a shorter step where its break was sudden.
+fn once(
     spec: &SceneSpec,
     controls: &Controls,
     progress: &mut dyn FnMut(RunProgress) -> Flow,
@@ -107,6 +128,7 @@ pub fn check(
         let mut again = run_scheme(&scene, options, &scheme, controls, progress);
         again.cost.steps += outcome.cost.steps;
         again.cost.steps_to_break += outcome.cost.steps_to_break;
+        again.quality.error_estimate = estimate::repeated(&outcome, &again);
         again.skipped = outcome.skipped;
         again.repeated = true;
         let near = |a: Option<Point>, b: Option<Point>| match (a, b) {

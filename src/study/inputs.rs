@@ -58,6 +58,7 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .with("shape", layout.shape.word(), PunchShape::Dome.word())
         .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
         .given("field", (anchored && layout.blocks == Blocks::Single).then_some(SINGLE))
+        .given("to_aim", controls.to_aim.then_some(true))
         .finish()
 }
 

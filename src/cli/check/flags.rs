@@ -91,6 +91,9 @@ pub(crate) struct CheckArgs {
     /// Part of the velocities lost in a step, 0 to 0.5 [default: by the fidelity].
     #[arg(long, value_name = "X", value_parser = quantity::number, allow_hyphen_values = true, help_heading = "Accuracy")]
     damping: Option<f64>,
+    /// A run whose own estimate says that it may miss its fidelity's aim is made again, slower.
+    #[arg(long, help_heading = "Accuracy")]
+    to_aim: bool,
     /// How far a run goes on after its first break.
     #[arg(long, value_name = "M", default_value = "0.05", value_parser = quantity::distance, allow_hyphen_values = true, help_heading = "Accuracy")]
     after_break: f64,
@@ -142,6 +145,7 @@ impl CheckArgs {
             step_factor: self.step_factor,
             speed: self.speed,
             damping: self.damping,
+            to_aim: self.to_aim,
             after_break: self.after_break,
             limit: self.limit,
             path: path.transpose()?,

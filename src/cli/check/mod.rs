@@ -91,6 +91,9 @@ impl Checked {
     fn fidelity_said(&self) -> String {
         let word = self.fidelity_word();
         match self.ensemble.bias {
+            Some(b) if b.pairs == 0 => {
+                format!("{word} (quick runs, bias known to {:.1} %)", 100.0 * b.errors[0])
+            }
             Some(b) => format!(
                 "{word} (quick runs, {} again at standard: F {:+.2} %, delta {:+.2} %)",
                 b.pairs,
@@ -221,6 +224,19 @@ pub(crate) fn run(args: &CheckArgs, ui: &UiFlags) -> CommandEnd {
     let verdict =
         args.verdict.code(checked.iter().filter_map(|c| c.verdict.as_ref()).chain(&left_out));
     Ok(Output { result, failed, verdict, interrupted, ..Output::default() })
+}
+
+impl CheckArgs {
+    /// The scene of one run of the layout that the flags give.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub(in crate::cli) fn scene(&self) -> Result<SceneSpec, Fault> {
+        let inputs = Inputs::of_check(self.geometry.clone(), self.question.clone());
+        let wires = Wires::read(self.mesh_file.as_deref(), self.law.as_deref())?;
+        let case = inputs.alone()?;
+        Ok(prepare(self, &inputs, &wires, case)?.spec)
+    }
 }
 
 /// Finds all that can be wrong before anything is run.

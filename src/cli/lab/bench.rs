@@ -53,6 +53,12 @@ pub(crate) struct BenchArgs {
     /// error, said to be decided by a snap, aims missed; steps and time.
     #[arg(long, group = "drawn", conflicts_with_all = ["svg", "scene", "convergence", "size", "arrangements"])]
     estimate: bool,
+    /// Scenes of `--estimate` from a file instead: the flags of a check on each line.
+    #[arg(long, value_name = "FILE", requires = "estimate", conflicts_with_all = ["scenes", "seed"])]
+    listed: Option<PathBuf>,
+    /// In `--estimate` a run that says that it may miss its aim is made again, slower.
+    #[arg(long, requires = "estimate")]
+    to_aim: bool,
     /// Whole checks instead: time against error of the mean force, random runs beside placed ones of every
     /// fidelity, on four layouts and drawn ones.
     #[arg(long, group = "drawn", conflicts_with_all = ["scene", "convergence", "size", "arrangements"])]
@@ -196,7 +202,10 @@ impl BenchArgs {
 /// Surveys the error estimates.
 fn estimate(args: &BenchArgs, listener: Listener) -> CommandEnd {
     let fidelities = if args.fidelity.is_empty() { &Fidelity::USUAL[..] } else { &args.fidelity };
-    let plan = EstimatePlan { scenes: args.scenes(), seed: args.seed, fidelities };
+    let given = args.listed.as_deref().map(super::estimates::listed).transpose()?;
+    let given = given.as_deref().unwrap_or_default();
+    let (scenes, to_aim) = (args.scenes(), args.to_aim);
+    let plan = EstimatePlan { given, scenes, seed: args.seed, fidelities, to_aim };
     let survey = estimates::survey(&plan, listener)?;
     let result = match args.format {
         Format::Text => super::estimates::text(&survey),
