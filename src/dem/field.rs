@@ -2,7 +2,7 @@
 //! each of them.
 //!
 //! Here x runs across the twists and y along them, whatever the layout's axes do: where the twists run across
-//! the slope the two are exchanged on the way in, and places and forces on the way out ([`Field::turned`]).
+//! the slope the two are exchanged on the way in, and places and forces on the way out ([`BlockField::turned`]).
 //!
 //! Each cell is a whole number of the net's periods and has an anchor at its corner (half a cell to the left
 //! of and below its centre), so that all plates catch the same pattern of nodes. In a staggered grid the
@@ -61,7 +61,7 @@ struct Staggered {
 
 /// The cells of a field and its blocks.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Field {
+pub struct BlockField {
     /// Sides of a cell, m.
     pub cell: [f64; 2],
     /// Cells in x and y.
@@ -78,14 +78,14 @@ pub struct Field {
     across: bool,
 }
 
-impl Field {
+impl BlockField {
     /// One cell with one block, which is also the panel of the laboratory test.
-    pub(super) fn one(layout: &Layout) -> Field {
+    pub(super) fn one(layout: &Layout) -> BlockField {
         let cell = layout.turned(layout.sides());
         let (farthest, offset) =
             (layout.turned(layout.farthest()), layout.turned([layout.ex, layout.ey]));
         let axis = [0, 1].map(|k| farthest[k] + offset[k]);
-        Field {
+        BlockField {
             cell,
             cells: [1, 1],
             mirrored: [false; 2],
@@ -103,8 +103,8 @@ impl Field {
     pub(super) fn anchored(
         layout: &Layout,
         arrangement: Arrangement,
-    ) -> Result<Field, Vec<Problem>> {
-        let mut field = Field::one(layout);
+    ) -> Result<BlockField, Vec<Problem>> {
+        let mut field = BlockField::one(layout);
         match arrangement {
             Arrangement::Repeated(cells) => {
                 allow(cells)?;
@@ -340,8 +340,8 @@ mod tests {
     use super::*;
     use crate::layout::REFERENCE;
 
-    fn field(ex: f64, ey: f64, arrangement: Arrangement) -> Field {
-        Field::anchored(&Layout { ex, ey, ..REFERENCE }, arrangement).unwrap()
+    fn field(ex: f64, ey: f64, arrangement: Arrangement) -> BlockField {
+        BlockField::anchored(&Layout { ex, ey, ..REFERENCE }, arrangement).unwrap()
     }
 
     #[test]
@@ -368,7 +368,7 @@ mod tests {
         // L 3, D 1: up to 1 m.
         let refused = |ex: f64| {
             let layout = Layout { ex, ..REFERENCE };
-            Field::anchored(&layout, Arrangement::Mirrored).unwrap_err()[0].field.clone()
+            BlockField::anchored(&layout, Arrangement::Mirrored).unwrap_err()[0].field.clone()
         };
         assert_eq!(refused(1.001), "ex");
         assert_eq!(refused(1.499), "ex");

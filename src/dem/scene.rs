@@ -1,7 +1,7 @@
 //! The scene: what the solvers run, made from a layout, a test, a wire law, an alignment and a seed.
 
 use super::dome::Dome;
-use super::field::{Arrangement, Block, Field};
+use super::field::{Arrangement, Block, BlockField};
 use super::hash;
 use super::lattice::{Lattice, Role, bond_number, bond_of};
 use super::law::Law;
@@ -80,7 +80,7 @@ pub struct Scene {
     /// The punch, which is every block's shape.
     pub dome: Dome,
     /// The cells and where the blocks stand.
-    pub field: Field,
+    pub field: BlockField,
     /// Whether the bottom and the top node of each pair are fixed.
     pub fixed: Vec<[bool; 2]>,
 }
@@ -95,8 +95,8 @@ impl Scene {
         check(spec)?;
         let (layout, net) = (&spec.layout, &spec.wire.net);
         let mut field = match spec.test {
-            Test::Anchored => Field::anchored(layout, spec.arrangement)?,
-            Test::Laboratory => Field::one(layout),
+            Test::Anchored => BlockField::anchored(layout, spec.arrangement)?,
+            Test::Laboratory => BlockField::one(layout),
         };
         let lattice = match spec.test {
             Test::Anchored => Lattice::cells(net, field.cell, field.cells, spec.phase),
@@ -291,7 +291,7 @@ const CELL_COUNTERS: u64 = 1 << 40;
 const SAME: f64 = 1.0e-9;
 
 /// Nodes within the square plates at the anchors.
-fn plates(lattice: &Lattice, field: &Field, side: f64) -> Vec<[bool; 2]> {
+fn plates(lattice: &Lattice, field: &BlockField, side: f64) -> Vec<[bool; 2]> {
     let [right, up] = field.repeats();
     let (columns, rows) =
         (right * lattice.columns / field.cells[0], up * lattice.rows / field.cells[1]);

@@ -10,7 +10,7 @@
 //! strain) and p^2 = l'^2 - b^2/4, unless a twist breaks before; across them F = F_w (b'/2)/l' for each row.
 
 use super::dome::Dome;
-use super::field::{Arrangement, Field};
+use super::field::{Arrangement, BlockField};
 use super::inertia::StepFactors;
 use super::lattice::{Lattice, Role, bond_of};
 use super::law::Law;
@@ -147,7 +147,7 @@ impl TensileSpec {
         };
         let dome = Dome::new(REFERENCE.shape, REFERENCE.punch, net.node_radius);
         let fixed = vec![[false; 2]; lattice.pairs()];
-        let field = Field::one(&REFERENCE);
+        let field = BlockField::one(&REFERENCE);
         Ok(Scene { spec, law: Law::new(&self.wire), lattice, dome, field, fixed })
     }
 }

@@ -5,7 +5,7 @@ use super::value::{NamedColumn, Object, Value, kn};
 use crate::case::{Case, CaseValue};
 use crate::study::checks::CheckAnswer;
 use crate::study::mend::mend;
-use crate::study::sweep::Grid;
+use crate::study::sweep::SweepGrid;
 use crate::study::verdict::{
     Aspect, Basis, Checked, Finding, Judge, Simulated, State, Verdict, VerdictRemark, verdict,
 };
@@ -159,7 +159,7 @@ fn mended(case: &Case, v: &Verdict) -> Option<String> {
 /// none where nothing is asked.
 pub(crate) fn marks(
     base: &Case,
-    grid: &Grid,
+    grid: &SweepGrid,
     points: &[CaseValue],
     answers: &[CheckAnswer],
     basis: Basis,

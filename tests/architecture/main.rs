@@ -180,3 +180,29 @@ fn files_are_small() {
     let long = files().into_iter().filter(|f| f.text.lines().count() > LONGEST_FILE);
     none(long.map(|f| format!("{}: {} lines", f.path, f.text.lines().count())).collect());
 }
+
+/// An import that names the wrong one of two compiles now and then, and a search finds both.
+#[test]
+fn no_two_public_types_have_one_name() {
+    let mut seen = std::collections::BTreeMap::<String, String>::new();
+    let mut found = Vec::new();
+    for file in files() {
+        for line in file.code().lines().map(str::trim_start) {
+            let mut words = line.split_whitespace();
+            let public = words.next() == Some("pub");
+            let kind = words.next();
+            if !public
+                || !["struct", "enum", "trait", "type", "union"].iter().any(|k| kind == Some(k))
+            {
+                continue;
+            }
+            let end = |c: char| !c.is_alphanumeric() && c != '_';
+            let name = words.next().unwrap_or_default().split(end).next().unwrap_or_default();
+            if let Some(other) = seen.insert(name.to_owned(), file.path.clone()) {
+                found.push(format!("{name}: {other} and {}", file.path));
+            }
+        }
+    }
+    assert!(seen.len() > 100, "only {} types were read", seen.len());
+    none(found);
+}

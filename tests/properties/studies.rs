@@ -7,7 +7,7 @@ use meshcast::layout::{BranchRule, Layout};
 use meshcast::mesh::MeshType;
 use meshcast::study::sensitivity::{Change, Sensitivity, cases, sensitivity};
 use meshcast::study::solve::{Requirement, RequirementKind, solve};
-use meshcast::study::sweep::{Grid, SweepAxis, sweep};
+use meshcast::study::sweep::{SweepAxis, SweepGrid, sweep};
 use meshcast::study::verdict::Basis;
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -90,7 +90,7 @@ proptest! {
         }
         let axis = |input, from, to| SweepAxis { input, from, to, steps: 4 };
         let second = Some(axis(Input::LabDeflection, 0.3, 0.9));
-        let grid = Grid::new(axis(Input::Spacing, 0.5, 6.0), second).unwrap();
+        let grid = SweepGrid::new(axis(Input::Spacing, 0.5, 6.0), second).unwrap();
         for (index, point) in sweep(&base, grid.clone()).points.iter().enumerate() {
             prop_assert_eq!(point, &grid.case(&base, index).outcome());
         }

@@ -54,7 +54,7 @@ impl ColumnHead {
 
 /// The check of a row.
 #[derive(Debug, Clone, Copy)]
-pub struct Checked {
+pub struct CheckedLine {
     /// What it says beside the forecast.
     pub figures: Figures,
     /// Whether its inputs are not the layout's any more.
@@ -71,7 +71,7 @@ pub struct CompareView {
     /// Of each row, the layout's place in the project.
     pub layouts: Vec<usize>,
     /// Of each row, the check that the project keeps.
-    pub checked: Vec<Option<Checked>>,
+    pub checked: Vec<Option<CheckedLine>>,
     /// The rows in the order shown.
     pub order: Vec<usize>,
     /// Layouts that are left out.
@@ -152,7 +152,7 @@ impl CompareState {
         let comparison = compare(cases, given.editor.project().basis);
         let checked = layouts.iter().zip(&comparison.rows).map(|(index, row)| {
             let shown = given.kept(*index)?;
-            Some(Checked {
+            Some(CheckedLine {
                 figures: Figures::of(shown.result, row.values().ok(), &row.case.asked()),
                 stale: shown.stale(),
                 partial: shown.result.partial(),

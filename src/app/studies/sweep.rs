@@ -13,7 +13,7 @@ use crate::problem::{self, Problem};
 use crate::study::checks::figures::Figures;
 use crate::study::checks::{CheckAnswer, NoCheck};
 use crate::study::sensitivity::Effect;
-use crate::study::sweep::{Grid, SweepAxis, dem, sweep};
+use crate::study::sweep::{SweepAxis, SweepGrid, dem, sweep};
 use crate::units::{Units, parse_typed};
 use std::collections::HashMap;
 
@@ -38,7 +38,7 @@ pub struct SweepView {
     /// What is wrong with them.
     pub problems: Vec<Problem>,
     /// The points; nothing where the ranges are not sound.
-    pub grid: Option<Grid>,
+    pub grid: Option<SweepGrid>,
     /// The forecast at the points.
     pub points: Vec<CaseValue>,
     /// The forecast along the line in finer steps: value of the input and outcome; empty for a map.
@@ -170,8 +170,8 @@ impl SweepState {
         let axes = self.axes(&case);
         // There always is a first one.
         let made = match axes[..] {
-            [first] => Grid::new(first, None),
-            [first, second, ..] => Grid::new(first, Some(second)),
+            [first] => SweepGrid::new(first, None),
+            [first, second, ..] => SweepGrid::new(first, Some(second)),
             [] => Err(Vec::new()),
         };
         let asked = case.asked().force.is_some();
@@ -213,7 +213,7 @@ impl SweepState {
             .collect();
         view.marked = self.marked.min(grid.len().saturating_sub(1));
         if grid.second.is_none()
-            && let Ok(fine) = Grid::new(SweepAxis { steps: LINE, ..grid.first }, None)
+            && let Ok(fine) = SweepGrid::new(SweepAxis { steps: LINE, ..grid.first }, None)
         {
             let columns = fine.columns.clone();
             view.line = columns.into_iter().zip(sweep(&view.case, fine).points).collect();

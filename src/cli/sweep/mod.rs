@@ -19,7 +19,7 @@ use super::verdict::BasisFlag;
 use crate::case::{Case, Input};
 use crate::problem::Problem;
 use crate::study::checks::CheckAnswer;
-use crate::study::sweep::{Grid, Sweep, SweepAxis, dem, sweep};
+use crate::study::sweep::{Sweep, SweepAxis, SweepGrid, dem, sweep};
 use crate::study::verdict::Basis;
 use crate::units::{Quantity, Units, parse};
 use clap::Args;
@@ -88,7 +88,7 @@ struct Swept {
 }
 
 impl Ranges {
-    fn grid(&self) -> Result<Grid, Fault> {
+    fn grid(&self) -> Result<SweepGrid, Fault> {
         let value = |flag: &str, text: &str, input: Input| {
             let (quantity, how) = if input.is_force() {
                 (Quantity::Force, "a force in kN or with a unit such as 73300N")
@@ -119,7 +119,7 @@ impl Ranges {
             }),
             _ => None,
         };
-        Grid::new(first, second).map_err(|found| {
+        SweepGrid::new(first, second).map_err(|found| {
             Fault::from(found.into_iter().map(|p| p.renamed(FLAGS)).collect::<Vec<_>>())
         })
     }
@@ -176,7 +176,7 @@ pub(crate) fn run(args: &SweepArgs, ui: &UiFlags) -> CommandEnd {
 }
 
 /// The checks of a layout's points; none where a check does not know what is varied.
-fn jobs(s: &Swept, grid: &Grid) -> Vec<Job> {
+fn jobs(s: &Swept, grid: &SweepGrid) -> Vec<Job> {
     let front = s.name.as_ref().map_or(String::new(), |name| format!("{name:?}, "));
     let cases = dem::cases(&s.case, grid).unwrap_or_default();
     let named =
@@ -185,7 +185,7 @@ fn jobs(s: &Swept, grid: &Grid) -> Vec<Job> {
 }
 
 /// Gives each layout its own answers.
-fn put(swept: &mut [Swept], grid: &Grid, done: Done) {
+fn put(swept: &mut [Swept], grid: &SweepGrid, done: Done) {
     let mut answers = done.answers.into_iter();
     for s in swept {
         let own = match dem::cases(&s.case, grid) {
@@ -197,7 +197,7 @@ fn put(swept: &mut [Swept], grid: &Grid, done: Done) {
 }
 
 /// A point by its inputs: `L 2.5 m, D 0.6 m`.
-fn point(grid: &Grid, index: usize) -> String {
+fn point(grid: &SweepGrid, index: usize) -> String {
     let (first, second) = grid.at(index);
     let of = |axis: &SweepAxis, value| format!("{} {}", axis.input.word(), axis.input.text(value));
     let second = grid.second.as_ref().zip(second).map(|(axis, value)| of(axis, value));

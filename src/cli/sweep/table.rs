@@ -3,7 +3,7 @@
 use super::Swept;
 use crate::show::columns::{self, CheckRow, PointRow, check_mean, check_more, point};
 use crate::show::{self, table::Table};
-use crate::study::sweep::{Grid, SweepAxis};
+use crate::study::sweep::{SweepAxis, SweepGrid};
 use crate::study::verdict::{Simulated, Verdict, verdict};
 
 /// A point of a sweep.
@@ -33,7 +33,7 @@ pub(super) fn rows(s: &Swept) -> impl Iterator<Item = SweptPoint<'_>> {
 }
 
 /// What is varied and what it gives.
-pub(super) fn table<'a>(grid: &Grid, named: bool) -> Table<'a, SweptPoint<'a>> {
+pub(super) fn table<'a>(grid: &SweepGrid, named: bool) -> Table<'a, SweptPoint<'a>> {
     let [force, deflection, utilisation, _, service, missing, warnings] = point();
     let first = grid.first.input;
     let second = |table: Table<'a, SweptPoint<'a>>, axis: &SweepAxis| {

@@ -1,14 +1,14 @@
 //! A sweep by checks: each point of the grid an ensemble with the same seeds.
 
-use super::Grid;
+use super::SweepGrid;
 use crate::case::Case;
 use crate::study::checks::{CheckAnswer, NoCheck};
 
-/// The cases of a grid, in the order of [`Grid::at`].
+/// The cases of a grid, in the order of [`SweepGrid::at`].
 ///
 /// # Errors
 /// A laboratory value is varied, which a check does not know.
-pub(crate) fn cases(base: &Case, grid: &Grid) -> Result<Vec<Case>, NoCheck> {
+pub(crate) fn cases(base: &Case, grid: &SweepGrid) -> Result<Vec<Case>, NoCheck> {
     let mut axes = std::iter::once(&grid.first).chain(&grid.second);
     if axes.any(|axis| axis.input.is_laboratory()) {
         return Err(NoCheck::Laboratory);
@@ -40,7 +40,8 @@ mod tests {
         let axis = |input, from, to| SweepAxis { input, from, to, steps: 2 };
         let base = example(SMALL, None);
         let grid =
-            Grid::new(axis(Input::Plate, 0.3, 0.35), Some(axis(Input::Punch, 0.4, 1.35))).unwrap();
+            SweepGrid::new(axis(Input::Plate, 0.3, 0.35), Some(axis(Input::Punch, 0.4, 1.35)))
+                .unwrap();
         let cases = cases(&base, &grid).unwrap();
         assert!(cases.iter().enumerate().all(|(i, c)| *c == grid.case(&base, i)));
         let answers = checks(&cases, &two(), 1, &|_| Flow::Continue);
@@ -50,7 +51,7 @@ mod tests {
         let bands = answers.iter().flatten().map(|v| v.force.band);
         assert!(bands.into_iter().all(|[low, high]| least <= low && high <= most));
         assert_eq!(extent(&answers[2..]), None);
-        let grid = Grid::new(axis(Input::LabForce, 5.0e4, 6.0e4), None).unwrap();
+        let grid = SweepGrid::new(axis(Input::LabForce, 5.0e4, 6.0e4), None).unwrap();
         assert_eq!(super::cases(&base, &grid), Err(NoCheck::Laboratory));
     }
 }

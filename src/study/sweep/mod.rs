@@ -75,7 +75,7 @@ impl SweepAxis {
 
 /// A sweep that can be made: its axes are sound and fit each other.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Grid {
+pub struct SweepGrid {
     /// The first input, along a row.
     pub(crate) first: SweepAxis,
     /// The second input, from row to row, where there is one.
@@ -86,12 +86,12 @@ pub struct Grid {
     pub(crate) rows: Vec<f64>,
 }
 
-impl Grid {
+impl SweepGrid {
     /// Makes a grid of one axis or two.
     ///
     /// # Errors
     /// What is wrong with the axes, by `first.from` and so on.
-    pub fn new(first: SweepAxis, second: Option<SweepAxis>) -> Result<Grid, Vec<Problem>> {
+    pub fn new(first: SweepAxis, second: Option<SweepAxis>) -> Result<SweepGrid, Vec<Problem>> {
         let mut problems = Vec::new();
         for (axis, name) in [(Some(&first), "first"), (second.as_ref(), "second")] {
             if let Some(Err(found)) = axis.map(SweepAxis::check) {
@@ -119,7 +119,7 @@ impl Grid {
             return Err(problems);
         }
         let rows = second.map_or(Vec::new(), |axis| axis.values());
-        Ok(Grid { columns: first.values(), rows, first, second })
+        Ok(SweepGrid { columns: first.values(), rows, first, second })
     }
 
     /// Number of points.
@@ -169,13 +169,13 @@ impl Grid {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// Where its points are.
-    pub grid: Grid,
-    /// What each point gives, in the order of [`Grid::at`].
+    pub grid: SweepGrid,
+    /// What each point gives, in the order of [`SweepGrid::at`].
     pub points: Vec<CaseValue>,
 }
 
 /// Sweeps a case over a grid by the forecast.
-pub fn sweep(base: &Case, grid: Grid) -> Sweep {
+pub fn sweep(base: &Case, grid: SweepGrid) -> Sweep {
     // One working case: a mesh is copied once and not for every point.
     let mut case = base.clone();
     let points = (0..grid.len())
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_line_worked_by_hand() {
-        let grid = Grid::new(axis(Input::Spacing, 1.5, 4.5, 3), None).unwrap();
+        let grid = SweepGrid::new(axis(Input::Spacing, 1.5, 4.5, 3), None).unwrap();
         let s = sweep(&case(REFERENCE, Some(10_000.0)), grid);
         let forces: Vec<f64> =
             s.points.iter().map(|p| p.as_ref().unwrap().values().force).collect();
@@ -236,9 +236,11 @@ mod tests {
 
     #[test]
     fn a_grid_runs_along_the_first_input() {
-        let grid =
-            Grid::new(axis(Input::Spacing, 1.25, 3.25, 3), Some(axis(Input::Punch, 0.5, 1.5, 3)))
-                .unwrap();
+        let grid = SweepGrid::new(
+            axis(Input::Spacing, 1.25, 3.25, 3),
+            Some(axis(Input::Punch, 0.5, 1.5, 3)),
+        )
+        .unwrap();
         assert_eq!((grid.len(), grid.at(1), grid.at(3)), (9, (2.25, Some(0.5)), (1.25, Some(1.0))));
         let base = case(REFERENCE, None);
         let s = sweep(&base, grid.clone());
@@ -248,14 +250,14 @@ mod tests {
         // L = 1.25 with D = 1.5 makes no sense; with D = 1.0 it is beside the plates.
         assert!(matches!(s.points[6], Err(NoValue::Senseless(_))));
         assert!(s.points[3].is_ok());
-        let moved = Grid { first: axis(Input::Spacing, 1.25, 3.0, 3), ..grid.clone() };
+        let moved = SweepGrid { first: axis(Input::Spacing, 1.25, 3.0, 3), ..grid.clone() };
         assert_ne!(moved.fingerprint(&base), grid.fingerprint(&base));
     }
 
     #[test]
     fn ranges_that_make_no_sense_are_said_by_field() {
         let said = |first, second| -> Vec<String> {
-            Grid::new(first, second)
+            SweepGrid::new(first, second)
                 .unwrap_err()
                 .iter()
                 .map(std::string::ToString::to_string)
@@ -278,7 +280,7 @@ mod tests {
     /// Laboratory values scale the forecast whatever the order of points.
     #[test]
     fn the_laboratory_force_scales_the_force() {
-        let grid = Grid::new(axis(Input::LabForce, 36_650.0, 146_600.0, 3), None).unwrap();
+        let grid = SweepGrid::new(axis(Input::LabForce, 36_650.0, 146_600.0, 3), None).unwrap();
         let s = sweep(&case(REFERENCE, None), grid);
         let first = s.points[0].as_ref().unwrap().values();
         assert!((first.force - 27_063.0 / 2.0).abs() < 1e-6);
