@@ -86,7 +86,6 @@ impl MeshForm {
         MeshForm { kind, rows, lines, index: 0, error: None }
     }
 
-    /// Its rows.
     pub(crate) fn rows(&self) -> &'static [FormRow] {
         self.rows
     }

@@ -63,7 +63,7 @@ pub enum Outside {
 pub struct OutsideRecord {
     /// Part by which the ranges of d, L and D were wider, down and up.
     pub(crate) wider: f64,
-    /// Layouts.
+    /// Layouts that were checked there.
     pub(crate) layouts: usize,
     /// 10 and 90 % points of the force's quotients.
     pub(crate) force: [f64; 2],

@@ -49,7 +49,7 @@ pub enum What {
     Adopted {
         /// The layout that it is for, by its uid.
         uid: u64,
-        /// The mesh.
+        /// What was identified, with its laws and method.
         mesh: Arc<MeshType>,
         /// What is to be known of it.
         remarks: Vec<String>,

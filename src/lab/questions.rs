@@ -20,7 +20,7 @@ use serde::Serialize;
 
 /// Runs of the truth of the four layouts, and of one that is drawn.
 const TRUTH_RUNS: [usize; 2] = [512, 128];
-/// Seed of the truth.
+/// Seed of the runs of the truth.
 const TRUTH_SEED: u64 = 77;
 /// Mean force of the four layouts over 512 runs, N, by this revision of the solver; from
 /// `meshcast check FLAGS --blocks repeated --fidelity standard --runs 512 --seed 77 --after-break 0`.
@@ -67,7 +67,7 @@ pub(crate) struct QuestionRow {
     pub(crate) faster: f64,
 }
 
-/// All questions.
+/// What `bench --questions` prints.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct QuestionTable {
     /// Layout by layout.

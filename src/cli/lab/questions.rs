@@ -84,7 +84,6 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     }
 }
 
-/// The pairs as a text.
 pub(super) fn pairs_text(table: &PairTable) -> String {
     let mut out = String::from(
         "standard over quick, %: bias of F and delta, scatter from pair to pair; estimate of quick, %\n",

@@ -91,7 +91,7 @@ pub(crate) type AdoptTell<'a> = dyn Fn(AdoptStep, EnsembleProgress) -> Flow + Sy
 /// The mesh, and how it came about.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AdoptedMesh {
-    /// The mesh.
+    /// As a project takes it: with the laws found, the methods and what they rest on.
     pub(crate) mesh: MeshType,
     /// The laws that fit.
     pub(crate) found: Identified,

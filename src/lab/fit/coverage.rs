@@ -47,7 +47,7 @@ pub(crate) struct CoveragePlan {
 pub(crate) struct CoverageDraw {
     /// Laws that were drawn before it and could not be tested.
     pub(crate) passed_over: usize,
-    /// The law.
+    /// Drawn from the prior, and to be found again.
     pub(crate) law: LawParameters,
     /// The test's end, as it was measured.
     pub(crate) test: Point,

@@ -202,7 +202,7 @@ pub struct RecordedFit {
     pub found: Vec<RecordedLaw>,
 }
 
-/// A law of the record.
+/// A law as the file of the record holds it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RecordedLaw {
