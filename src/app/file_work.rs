@@ -88,6 +88,11 @@ impl FileWork {
         self.saves.back().is_some_and(|last| Arc::ptr_eq(last, project))
     }
 
+    /// Whether any project is being saved.
+    pub(super) fn saving(&self) -> bool {
+        !self.saves.is_empty()
+    }
+
     /// Whether anything is being written.
     pub(super) fn writing(&self) -> bool {
         !self.saves.is_empty() || self.others > 0

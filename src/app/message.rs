@@ -28,6 +28,11 @@ pub enum Message {
     },
     /// A save that was asked for has ended.
     Saved(Result<Saved, SaveFailure>),
+    /// What was asked for of files takes longer than a file takes.
+    StillAtFiles {
+        /// Time since it was begun, s.
+        seconds: u64,
+    },
     /// Something went wrong behind the screen, in words; the program goes on.
     Trouble(String),
     /// The terminal hung up or the program is told to end: keep what is unsaved and go.

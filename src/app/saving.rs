@@ -65,6 +65,21 @@ impl App {
         last.into_iter().chain([Command::Quit]).collect()
     }
 
+    /// Files take so long, s: nobody need wait for them.
+    pub(super) fn still_at_files(&mut self, seconds: u64) {
+        let what = match (self.files.saving(), self.files.writing()) {
+            (true, _) => "saving",
+            (false, true) => "writing",
+            // What is read can be left alone, and what has ended meanwhile was told.
+            (false, false) => return,
+        };
+        let quitting = match self.files.waits_to_quit() {
+            true => "asked again it quits at once",
+            false => "the edits are kept, quitting is possible",
+        };
+        self.inform(format!("still {what}, {seconds} s; {quitting}"));
+    }
+
     /// Saves what is unsaved and quits.
     pub(super) fn save_and_quit(&mut self) -> Vec<Command> {
         self.screen.show(Mode::Main);

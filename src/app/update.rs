@@ -96,6 +96,10 @@ impl App {
                 }
                 self.go_on()
             }
+            Message::StillAtFiles { seconds } => {
+                self.still_at_files(seconds);
+                Vec::new()
+            }
             Message::Trouble(text) => {
                 self.complain(text);
                 Vec::new()

@@ -11,6 +11,7 @@
 use super::disk;
 use super::draft::{Draft, Place, Placed};
 use super::home::{Home, known};
+use super::in_time::in_time;
 use super::load;
 use super::recovery::name_of_path;
 use super::save::resolve;
@@ -92,6 +93,8 @@ pub enum Claimed {
     Theirs(Holder),
     /// There is no place for a claim, so nobody can tell.
     Nowhere,
+    /// The disk has not answered.
+    Silent,
 }
 
 impl Claimed {
@@ -99,7 +102,7 @@ impl Claimed {
     pub(crate) fn holder(&self) -> Option<&Holder> {
         match self {
             Claimed::Theirs(holder) => Some(holder),
-            Claimed::Mine(_) | Claimed::Nowhere => None,
+            Claimed::Mine(_) | Claimed::Nowhere | Claimed::Silent => None,
         }
     }
 
@@ -110,6 +113,10 @@ impl Claimed {
             Claimed::Mine(Claim { locked: false, .. }) => Some(
                 "this disk keeps no locks, as some network drives: nobody is kept from saving the same \
                  file, so edit it in one place at a time",
+            ),
+            Claimed::Silent => Some(
+                "the disk has not said whether another session holds the file: is it on a network drive \
+                 that cannot be reached?",
             ),
             Claimed::Mine(_) | Claimed::Theirs(_) | Claimed::Nowhere => None,
         }
@@ -135,6 +142,12 @@ impl Drop for Claim {
             let _ = fs::remove_file(&self.path);
         }
     }
+}
+
+/// [`claim`] on a disk that has so long to answer.
+pub(crate) fn claim_in_time(project: &Path, home: &Home, anyway: bool, time: Duration) -> Claimed {
+    let (project, home) = (project.to_path_buf(), home.clone());
+    in_time(time, move || claim(&project, &home, anyway)).unwrap_or(Claimed::Silent)
 }
 
 /// Claims a file for this session. With `anyway` it is taken over from whoever holds it.

@@ -55,6 +55,37 @@ pub(super) mod without_locks {
     }
 }
 
+/// Disks that do not answer, for tests.
+#[cfg(test)]
+pub(crate) mod silent {
+    use std::path::{Path, PathBuf};
+    use std::sync::{Condvar, Mutex};
+
+    static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+    static ANSWERS: Condvar = Condvar::new();
+
+    /// As long as this lives, whoever opens a file of a folder waits.
+    pub(crate) struct Silent(PathBuf);
+
+    /// A folder falls silent.
+    pub(crate) fn falls(folder: &Path) -> Silent {
+        FOLDERS.lock().unwrap().push(folder.to_path_buf());
+        Silent(folder.to_path_buf())
+    }
+
+    impl Drop for Silent {
+        fn drop(&mut self) {
+            FOLDERS.lock().unwrap().retain(|folder| *folder != self.0);
+            ANSWERS.notify_all();
+        }
+    }
+
+    pub(super) fn wait(path: &Path) {
+        let silent = |folders: &mut Vec<PathBuf>| folders.iter().any(|f| path.starts_with(f));
+        drop(ANSWERS.wait_while(FOLDERS.lock().unwrap(), silent).unwrap());
+    }
+}
+
 /// Opens a file to be read, without waiting for whoever writes a pipe.
 pub(super) fn open_to_read(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
@@ -66,6 +97,8 @@ pub(super) fn open_to_read(path: &Path) -> io::Result<File> {
 /// Opens a file to be read and locked, for writing too where that is allowed: some disks lock nothing
 /// else. Never waits for anybody, as a pipe would have it.
 pub(super) fn open(path: &Path) -> io::Result<File> {
+    #[cfg(test)]
+    silent::wait(path);
     let open = |write: bool| {
         let mut options = OpenOptions::new();
         options.read(true).write(write);

@@ -3,6 +3,7 @@
 use super::decode;
 use super::disk;
 use super::error::{Cause, FileFault, Found, LoadError};
+use super::in_time::in_time;
 use super::migrate;
 use super::schema::{CURRENT_VERSION, Project};
 use super::text::{self, Tree, parser};
@@ -10,8 +11,6 @@ use crate::problem::Problem;
 use std::fs;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use std::sync::mpsc::channel;
-use std::thread;
 use std::time::Duration;
 
 /// Largest project file, in bytes. It bounds the time as well: the worst of this size takes some seconds.
@@ -131,26 +130,6 @@ fn content(path: &Path, largest: u64) -> std::io::Result<Content> {
     Ok(Content::Bytes(bytes))
 }
 
-/// What some work gives, if it ends in time. Else its thread is left to itself: nothing can wake whoever waits
-/// for a disk.
-fn in_time<T: Send + 'static>(
-    time: Duration,
-    work: impl Fn() -> T + Send + Sync + 'static,
-) -> Option<T> {
-    let (tell, told) = channel();
-    let work = std::sync::Arc::new(work);
-    let theirs = std::sync::Arc::clone(&work);
-    let thread = thread::Builder::new().name("reading".to_owned()).spawn(move || {
-        // Nobody listens any more where it came too late.
-        let _ = tell.send(theirs());
-    });
-    match thread {
-        Ok(_) => told.recv_timeout(time).ok(),
-        // No thread is to be had: as well as it goes.
-        Err(_) => Some(work()),
-    }
-}
-
 /// Reads a table of the user's, such as a laboratory's curve or the runs of a campaign, whole and within a
 /// size in bytes.
 ///
@@ -248,6 +227,7 @@ mod tests {
     use super::super::{Document, document, load_wire};
     use super::*;
     use std::path::PathBuf;
+    use std::thread;
 
     /// Makes something that is no good file at a path.
     type Bad = (&'static str, fn(&Path));

@@ -9,8 +9,8 @@
 //! - [`wire_file`]: net and wires in a file of their own.
 //! - [`recovery`]: unsaved work kept beside the file; [`home`]: the user's own place;
 //!   [`settings`]: what the user decided for all projects.
-//! - [`mod@claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it, and
-//!   [`disk`]: what the system knows of both.
+//! - [`mod@claim`]: who holds a file; [`hold`]: a file about to be replaced; [`draft`]: what replaces it,
+//!   [`disk`]: what the system knows of both; `in_time`: a disk that may not answer.
 //! - [`migrate`]: older formats. `read`: from a tree to values; [`text`]: from a text to a tree.
 
 mod check;
@@ -23,6 +23,7 @@ mod draft;
 mod error;
 mod hold;
 pub(crate) mod home;
+mod in_time;
 mod kept;
 mod load;
 pub(crate) mod method_files;
@@ -40,14 +41,18 @@ mod wire_file;
 mod words;
 pub mod write;
 
+pub(crate) use claim::claim_in_time;
 pub use claim::{Claimed, Holder, claim};
 pub use difference::difference;
 pub(crate) use disk::FileStamp;
+#[cfg(test)]
+pub(crate) use disk::silent;
 pub(crate) use document::{Document, load_stream};
 pub use document::{Opened, load, parse};
 pub use error::Cause;
 pub(crate) use error::LoadError;
 pub use home::Home;
+pub(crate) use in_time::{MOMENT, in_time, put_away};
 pub(crate) use load::{LARGEST_FILE, load_table};
 pub use recovery::{OwnRecovery, Recovery};
 pub use save::{Overwrite, SaveError, create};

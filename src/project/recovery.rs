@@ -104,14 +104,42 @@ impl Document {
         home: &Home,
         own: &mut Option<OwnRecovery>,
     ) -> io::Result<PathBuf> {
-        let text = self.render(project).map_err(io::Error::other)?.text;
         let of = self.file();
+        self.keep_at(&places(of.as_deref(), home), of, project, home, own)
+    }
+
+    /// The same in the data directory alone, without a look at the disk of the project's file, which does
+    /// not answer.
+    ///
+    /// # Errors
+    /// What the system said, or what cannot be written.
+    pub(crate) fn keep_apart(
+        &self,
+        project: &Project,
+        home: &Home,
+        own: &mut Option<OwnRecovery>,
+    ) -> io::Result<PathBuf> {
+        // Links are not followed: what leads to the file by another name is not offered this.
+        let mut places = places(self.path(), home);
+        places.retain(|place| home.owns(place));
+        self.keep_at(&places, None, project, home, own)
+    }
+
+    fn keep_at(
+        &self,
+        places: &[PathBuf],
+        of: Option<PathBuf>,
+        project: &Project,
+        home: &Home,
+        own: &mut Option<OwnRecovery>,
+    ) -> io::Result<PathBuf> {
+        let text = self.render(project).map_err(io::Error::other)?.text;
         if let Some(own) = own.as_mut().filter(|own| own.of == of)
             && own.rewrite(&text).is_ok()
         {
             return Ok(own.path.clone());
         }
-        let made = make(of.as_deref(), home, &text)?;
+        let made = make(places, of.as_deref(), home, &text)?;
         let path = made.path.clone();
         if let Some(former) = own.replace(made) {
             former.discard();
@@ -162,14 +190,14 @@ impl Document {
 }
 
 /// Makes a recovery file under the first name that is free.
-fn make(of: Option<&Path>, home: &Home, text: &str) -> io::Result<OwnRecovery> {
+fn make(places: &[PathBuf], of: Option<&Path>, home: &Home, text: &str) -> io::Result<OwnRecovery> {
     let mut last = io::Error::from(ErrorKind::NotFound);
-    for place in places(of, home) {
-        if let Some(parent) = place.parent().filter(|_| home.owns(&place)) {
+    for place in places {
+        if let Some(parent) = place.parent().filter(|_| home.owns(place)) {
             // Fails with the write below, and better said there.
             let _ = fs::create_dir_all(parent);
         }
-        for path in names(&place) {
+        for path in names(place) {
             if fs::symlink_metadata(&path).is_ok() {
                 continue;
             }

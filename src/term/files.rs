@@ -3,40 +3,75 @@
 use super::exports::{self, ExportWanted};
 use super::found;
 use super::program::Host;
+use super::saving::{self, Wanted};
 use crate::app::message::{
     Exported, FoundProject, KeptEdits, Message, OpenFailure, OpenedProject, SaveFailure, Saved,
 };
 use crate::app::saving::READS_ONLY;
 use crate::app::settings::{SettingItem, Settings};
-use crate::job::adoption;
 use crate::project::home::typed_path;
 use crate::project::{
-    self, Claimed, Document, FileStamp, Holder, Home, Opened, Overwrite, OwnRecovery, Project,
-    Recovery, SaveError, SaveReport, claim, same_file, time_text,
+    self, Claimed, Document, FileStamp, Holder, Home, MOMENT, Opened, OwnRecovery, Project,
+    Recovery, claim_in_time, in_time, put_away, same_file, time_text,
 };
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
-/// The files of one open project. Every lock is only held to look at or replace what is behind it,
-/// but for [`own`](FileHost::own), which is held while the recovery file is written.
+/// How long a disk may take for something; one that takes longer is left to itself.
+#[derive(Debug, Clone, Copy)]
+struct Patience {
+    /// For a save. Much longer than for a look: one that is given up may still come to pass.
+    saving: Duration,
+    /// To say who holds a file and whether it has changed.
+    looking: Duration,
+    /// For the recovery file; then it goes to the data directory.
+    keeping: Duration,
+    /// At the end of the session.
+    leaving: Duration,
+}
+
+impl Default for Patience {
+    fn default() -> Patience {
+        let [saving, looking, keeping, leaving] = [30, 10, 5, 2].map(Duration::from_secs);
+        Patience { saving, looking, keeping, leaving }
+    }
+}
+
+/// Why nothing is known of a file.
+const NO_ANSWER: &str = "the disk does not answer";
+/// How a recovery file is written.
+type Keeps = fn(&Document, &Project, &Home, &mut Option<OwnRecovery>) -> io::Result<PathBuf>;
+/// A recovery file, shared with whoever writes it.
+type Keep = Arc<Mutex<Option<OwnRecovery>>>;
+
+/// The files of one open project. Every lock is only held to look at or replace what is behind it, but for
+/// [`saving`](FileHost::saving), which the loop does not take, and those of recovery files while these are
+/// written, which nobody waits for without end.
 #[derive(Debug)]
 pub struct FileHost {
     home: Home,
     document: Mutex<Arc<Document>>,
     /// How this session stands to the project's file.
-    claim: Mutex<Claimed>,
+    claim: Mutex<Arc<Claimed>>,
     /// Another file that was taken over to be saved to.
     taken: Mutex<Option<(PathBuf, Claimed)>>,
     /// This session's recovery file.
-    own: Mutex<Option<OwnRecovery>>,
+    own: Mutex<Keep>,
+    /// Another one in the data directory, where the disk of the first does not answer.
+    apart: Keep,
     /// What a lost session kept, while the user is asked about it.
     offered: Mutex<Option<Recovery>>,
     /// What was opened last and has not taken over.
     next: Mutex<Option<Next>>,
-    /// Held by a save, so that nobody takes its own change of the file for another's.
-    saving: Mutex<()>,
+    /// Held by whoever changes how this session stands to the file, so that nobody takes a change of its
+    /// own for another's.
+    saving: Arc<Mutex<()>>,
     watched: Mutex<Watched>,
+    /// Shared with a look that has not come back: there is no point in another one.
+    looking: Arc<()>,
+    patience: Patience,
 }
 
 /// A project that may take the place of the present one.
@@ -73,18 +108,27 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 impl FileHost {
     /// For a project that was just opened: its file is claimed, if nobody else holds it.
     pub(crate) fn new(document: Document, home: Home) -> (FileHost, Beginning) {
-        let claim = document.path().map_or(Claimed::Nowhere, |path| claim(path, &home, false));
+        FileHost::with(document, home, Patience::default())
+    }
+
+    fn with(document: Document, home: Home, patience: Patience) -> (FileHost, Beginning) {
+        let claim = document
+            .path()
+            .map_or(Claimed::Nowhere, |path| claim_in_time(path, &home, false, patience.looking));
         let (offered, beginning) = begin(&document, &home, &claim);
         let host = FileHost {
             home,
             document: Mutex::new(Arc::new(document)),
-            claim: Mutex::new(claim),
+            claim: Mutex::new(Arc::new(claim)),
             taken: Mutex::default(),
             own: Mutex::default(),
+            apart: Keep::default(),
             offered: Mutex::new(offered),
             next: Mutex::default(),
-            saving: Mutex::default(),
+            saving: Arc::default(),
             watched: Mutex::default(),
+            looking: Arc::default(),
+            patience,
         };
         (host, beginning)
     }
@@ -93,31 +137,18 @@ impl FileHost {
         Arc::clone(&lock(&self.document))
     }
 
-    /// Who holds the project's file after this session has tried to, where it did not hold it or lost it.
-    /// With `anyway` it takes the file over.
-    fn hold(&self, anyway: bool) -> Option<Holder> {
-        let document = self.document();
-        let mut mine = lock(&self.claim);
-        let lost = match &*mine {
-            Claimed::Mine(claim) if claim.holds() => return None,
-            Claimed::Mine(claim) => claim.taken_by(),
-            Claimed::Theirs(_) => None,
-            Claimed::Nowhere => return None,
-        };
-        *mine = match (lost, document.path()) {
-            (Some(holder), _) if !anyway => Claimed::Theirs(holder),
-            (_, Some(path)) => claim(path, &self.home, anyway),
-            (_, None) => Claimed::Nowhere,
-        };
-        mine.holder().cloned()
+    fn claim(&self) -> Arc<Claimed> {
+        Arc::clone(&lock(&self.claim))
     }
 
-    /// The claim of another file, to which the project is to be saved.
-    fn claim_other(&self, path: &Path) -> Claimed {
-        match lock(&self.taken).take() {
-            Some((taken, claimed)) if taken == path => claimed,
-            _ => claim(path, &self.home, false),
-        }
+    /// How this session stands to the project's file from now on.
+    fn stand(&self, claim: Claimed) {
+        put_away(std::mem::replace(&mut *lock(&self.claim), Arc::new(claim)));
+    }
+
+    /// The claim of another file that was taken over to save the project to it.
+    fn taken(&self, path: &Path) -> Option<Claimed> {
+        lock(&self.taken).take().filter(|(taken, _)| taken == path).map(|(_, claimed)| claimed)
     }
 }
 
@@ -132,74 +163,90 @@ impl Host for FileHost {
     ) -> Result<Saved, SaveFailure> {
         let _saving = lock(&self.saving);
         let before = self.document();
-        let mut document = Document::clone(&before);
-        let overwrite = if overwrite { Overwrite::Yes } else { Overwrite::No };
         let typed = path.map(typed_path);
-        let other = typed.as_deref().filter(|typed| Some(*typed) != before.path());
-        let claimed =
-            other.map(|other| match before.path().is_some_and(|own| same_file(own, other)) {
-                true => Claimed::Nowhere,
-                false => self.claim_other(other),
-            });
-        let holder = match &claimed {
-            Some(claimed) => claimed.holder().cloned(),
-            None => self.hold(false),
+        let other = typed.filter(|typed| Some(typed.as_path()) != before.path());
+        let wanted = Wanted {
+            project: Arc::clone(project),
+            asked: path.map(Path::to_path_buf),
+            claim: self.claim(),
+            taken: other.as_deref().and_then(|other| self.taken(other)),
+            home: self.home.clone(),
+            before: Arc::clone(&before),
+            other,
+            overwrite,
         };
-        if let Some(holder) = holder {
-            return Err(held_by(holder, path));
-        }
-        let result = match &typed {
-            Some(path) => document.save_as(path, project, overwrite),
-            None => document.save(project, overwrite),
+        let Some(done) = in_time(self.patience.saving, move || wanted.write()) else {
+            return Err(saving::unanswered(self.patience.saving, path));
         };
-        let report = result.map_err(|error| failure(&error, path))?;
-        for file in before.path().into_iter().chain([report.path.as_path()]) {
-            adoption::forget(project, file);
+        if let Some(claim) = done.claim {
+            self.stand(claim);
         }
+        let (document, report) = done.written?;
         let moved = before.path() != document.path();
         *lock(&self.document) = Arc::new(document);
-        if let Some(claimed) = claimed {
-            *lock(&self.claim) = claimed;
-        }
-        if moved && let Some(own) = lock(&self.own).take() {
-            own.discard();
+        if moved {
+            let _ = self.forget_recovery();
         }
         // Not to be found at the next start is no reason to call the save failed.
         let _ = self.home.remember(&report.path);
-        let note = note(&report);
+        let note = saving::note(&report);
         Ok(Saved { project: Arc::clone(project), path: report.path, note })
     }
 
     fn take_file(&self, path: Option<&Path>) -> Option<Holder> {
-        let Some(path) = path.map(typed_path) else { return self.hold(true) };
-        let claimed = claim(&path, &self.home, true);
-        *lock(&self.taken) = Some((path, claimed));
-        lock(&self.claim).holder().cloned()
+        let _saving = lock(&self.saving);
+        match path.map(typed_path) {
+            Some(path) => {
+                let claimed = claim_in_time(&path, &self.home, true, self.patience.looking);
+                *lock(&self.taken) = Some((path, claimed));
+            }
+            None => {
+                let (document, claim, home) = (self.document(), self.claim(), self.home.clone());
+                let work = move || saving::standing(&claim, document.path(), &home, true);
+                if let Some(Some(claim)) = in_time(self.patience.looking, work) {
+                    self.stand(claim);
+                }
+            }
+        }
+        self.claim().holder().cloned()
     }
 
     /// Whoever finds the recovery file being written writes another one: that may be a thread that will
     /// not go on.
     fn recover(&self, project: &Project) -> Result<PathBuf, String> {
         let document = self.document();
-        match self.own.try_lock() {
-            Ok(mut own) => document.keep(project, &self.home, &mut own),
-            Err(TryLockError::Poisoned(own)) => {
-                document.keep(project, &self.home, &mut own.into_inner())
+        let own = Arc::clone(&lock(&self.own));
+        let works =
+            [(own, Document::keep as Keeps), (Arc::clone(&self.apart), Document::keep_apart)];
+        let mut why = NO_ANSWER.to_owned();
+        for (own, keep) in works {
+            let (document, project, home) =
+                (Arc::clone(&document), project.clone(), self.home.clone());
+            let kept = in_time(self.patience.keeping, move || {
+                let mut own = match own.try_lock() {
+                    Ok(own) => own,
+                    Err(TryLockError::Poisoned(own)) => own.into_inner(),
+                    Err(TryLockError::WouldBlock) => return None,
+                };
+                Some(keep(&document, &project, &home, &mut own))
+            });
+            match kept.flatten() {
+                Some(Ok(path)) => return Ok(path),
+                Some(Err(error)) => why = error.to_string(),
+                None => {}
             }
-            Err(TryLockError::WouldBlock) => document.keep(project, &self.home, &mut None),
         }
-        .map_err(|error| error.to_string())
+        Err(why)
     }
 
     fn forget_recovery(&self) -> Result<(), String> {
-        if let Some(own) = lock(&self.own).take() {
-            own.discard();
-        }
-        Ok(())
+        let all = [std::mem::take(&mut *lock(&self.own)), Arc::clone(&self.apart)];
+        all.map(|own| discard(own, self.patience.keeping)).into_iter().collect()
     }
 
     fn recovery_stands(&self) -> bool {
-        match self.own.try_lock() {
+        let own = Arc::clone(&lock(&self.own));
+        match own.try_lock() {
             Ok(own) => own.as_ref().is_none_or(OwnRecovery::stands),
             Err(_) => true,
         }
@@ -213,7 +260,8 @@ impl Host for FileHost {
             behind.falls_behind();
             *document = Arc::new(behind);
         }
-        *lock(&self.own) = Some(OwnRecovery::adopt(kept, &document));
+        let own = OwnRecovery::adopt(kept, &document);
+        *lock(&self.own) = Arc::new(Mutex::new(Some(own)));
     }
 
     fn drop_kept(&self) -> Option<KeptEdits> {
@@ -241,10 +289,10 @@ impl Host for FileHost {
         // The present project itself: its recovery file holds edits of this session, which are let go.
         let again = self.document().path().is_some_and(|own| same_file(own, path));
         let (claim, offered, beginning) = if again {
-            let holder = lock(&self.claim).holder().cloned();
+            let holder = self.claim().holder().cloned();
             (None, None, Beginning { kept: None, holder, note: migrated(&document) })
         } else {
-            let claim = claim(path, &self.home, false);
+            let claim = claim_in_time(path, &self.home, false, self.patience.looking);
             let (offered, beginning) = begin(&document, &self.home, &claim);
             (Some(claim), offered, beginning)
         };
@@ -256,17 +304,18 @@ impl Host for FileHost {
 
     fn take_over(&self) {
         if let Some(next) = lock(&self.next).take() {
-            let _ = self.forget_recovery();
+            let _ = discard(std::mem::take(&mut *lock(&self.own)), MOMENT);
+            let _ = discard(Arc::clone(&self.apart), MOMENT);
             *lock(&self.document) = Arc::new(next.document);
             *lock(&self.offered) = next.offered;
             if let Some(claim) = next.claim {
-                *lock(&self.claim) = claim;
+                self.stand(claim);
             }
         }
     }
 
     fn let_go(&self) {
-        lock(&self.next).take();
+        put_away(lock(&self.next).take());
     }
 
     fn export(&self, wanted: ExportWanted<'_>) -> Result<Exported, String> {
@@ -290,17 +339,32 @@ impl Host for FileHost {
 
     fn watch(&self) -> Vec<Message> {
         let Ok(_saving) = self.saving.try_lock() else { return Vec::new() };
-        let mut news = Vec::new();
-        let before = lock(&self.claim).holder().cloned();
-        let holder = self.hold(false);
-        if holder != before {
-            news.push(Message::Held(holder));
+        if Arc::strong_count(&self.looking) > 1 {
+            return Vec::new();
         }
-        let document = self.document();
-        let mut watched = lock(&self.watched);
-        let stamp = document.path().and_then(FileStamp::of);
-        if stamp != watched.stamp {
-            let changed = document.changed_on_disk();
+        let (document, claim, home) = (self.document(), self.claim(), self.home.clone());
+        let (former, seen) = (lock(&self.watched).stamp, Arc::clone(&self.looking));
+        let before = claim.holder().cloned();
+        let look = move || {
+            let now = saving::standing(&claim, document.path(), &home, false);
+            let stamp = document.path().and_then(FileStamp::of);
+            let changed = (stamp != former).then(|| document.changed_on_disk());
+            drop(seen);
+            (now, stamp, changed)
+        };
+        let Some((now, stamp, changed)) = in_time(self.patience.looking, look) else {
+            return Vec::new();
+        };
+        let mut news = Vec::new();
+        if let Some(now) = now {
+            let holder = now.holder().cloned();
+            self.stand(now);
+            if holder != before {
+                news.push(Message::Held(holder));
+            }
+        }
+        if let Some(changed) = changed {
+            let mut watched = lock(&self.watched);
             if changed || watched.changed {
                 news.push(Message::ChangedOnDisk(changed));
             }
@@ -310,11 +374,26 @@ impl Host for FileHost {
     }
 
     fn leave(&self) {
-        self.let_go();
-        lock(&self.taken).take();
-        lock(&self.offered).take();
-        *lock(&self.claim) = Claimed::Nowhere;
+        let claim = std::mem::replace(&mut *lock(&self.claim), Arc::new(Claimed::Nowhere));
+        let others =
+            (lock(&self.next).take(), lock(&self.taken).take(), lock(&self.offered).take());
+        let saving = Arc::clone(&self.saving);
+        in_time(self.patience.leaving, move || {
+            // Whoever is looking has the claim as well.
+            let _saving = lock(&saving);
+            drop((claim, others));
+        });
     }
+}
+
+/// Throws a recovery file away, or leaves that to its disk.
+fn discard(own: Keep, time: Duration) -> Result<(), String> {
+    let discarded = in_time(time, move || {
+        if let Some(own) = lock(&own).take() {
+            own.discard();
+        }
+    });
+    discarded.ok_or_else(|| NO_ANSWER.to_owned())
 }
 
 /// What is to be known of a project that was opened, and what a lost session kept of it.
@@ -375,51 +454,6 @@ pub(crate) fn migrated(document: &Document) -> Option<String> {
     document.migrated_from().map(|version| {
         format!("the file has the older format {version}; saving brings it up to date")
     })
-}
-
-fn failure(error: &SaveError, path: Option<&Path>) -> SaveFailure {
-    SaveFailure {
-        message: match error {
-            SaveError::NoPath => "no file yet; type :w PATH to save it".to_owned(),
-            other => other.to_string(),
-        },
-        overwrite_helps: matches!(
-            error,
-            SaveError::ChangedOnDisk(_) | SaveError::Exists(_) | SaveError::Loses(..)
-        ),
-        holder: None,
-        path: path.map(Path::to_path_buf),
-    }
-}
-
-/// The failure of a save to a file that another session holds.
-fn held_by(holder: Holder, path: Option<&Path>) -> SaveFailure {
-    SaveFailure {
-        message: format!("not saved: the file is held by {}", holder.text()),
-        overwrite_helps: false,
-        holder: Some(holder),
-        path: path.map(Path::to_path_buf),
-    }
-}
-
-/// What the user should know of a save that worked.
-fn note(report: &SaveReport) -> Option<String> {
-    let mut notes = Vec::new();
-    if !report.comments_kept {
-        notes.push("the comments in it could not be kept".to_owned());
-    }
-    if let Some(version) = report.migrated_from {
-        notes.push(format!("brought from format {version} to the current one"));
-    }
-    if report.recreated {
-        notes.push("it had been deleted and was made again".to_owned());
-    }
-    if let Some(why) = &report.unsure {
-        notes.push(format!(
-            "but the disk did not confirm it ({why}): it may be lost with the power"
-        ));
-    }
-    (!notes.is_empty()).then(|| notes.join("; "))
 }
 
 #[cfg(test)]

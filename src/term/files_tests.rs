@@ -173,3 +173,89 @@ fn a_project_opened_again_does_not_offer_the_edits_of_this_session() {
     files.take_over();
     assert!(!kept.exists());
 }
+
+/// Short, so that a test need not wait.
+const SHORT: Patience = Patience {
+    saving: Duration::from_millis(100),
+    looking: Duration::from_millis(50),
+    keeping: Duration::from_millis(50),
+    leaving: Duration::from_millis(50),
+};
+
+/// Seen: a save to a network drive that had gone kept all later ones waiting, also those to another disk,
+/// for as long as it was gone.
+#[test]
+fn a_save_that_its_disk_does_not_answer_is_given_up_and_another_place_is_free() {
+    let (dir, path, files, project) = open();
+    let files = FileHost { patience: SHORT, ..files };
+    let (first, second) = (edited(&project, "one"), edited(&project, "two"));
+    let elsewhere = tempfile::tempdir().unwrap();
+    let other = elsewhere.path().join("other.ron");
+    let silent = project::silent::falls(dir.path());
+    let failure = files.save(&first, None, false).unwrap_err();
+    assert!(failure.message.starts_with("not known to be saved"), "{}", failure.message);
+    let files = FileHost { patience: Patience::default(), ..files };
+    assert_eq!(files.save(&second, Some(&other), false).unwrap().path, other);
+    // The first one may still come to pass. The session goes on with the other file all the same.
+    drop(silent);
+    let written = || project::load(&path).unwrap().project == *first;
+    while !written() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let third = edited(&project, "three");
+    assert_eq!(files.save(&third, None, false).unwrap().path, other);
+    assert_eq!(project::load(&other).unwrap().project, *third);
+    assert!(written());
+}
+
+/// Seen: a start waited without end for a drive that had gone, with the project read, and the watch kept
+/// what the loop takes.
+#[test]
+fn who_holds_a_file_on_a_silent_disk_is_not_waited_for_and_asked_again() {
+    let (dir, path, files, _) = open();
+    files.leave();
+    let silent = project::silent::falls(dir.path());
+    let opened = project::load(&path).unwrap();
+    let (files, beginning) = FileHost::with(opened.document, files.home.clone(), SHORT);
+    let note = beginning.note.expect("it is told");
+    assert!(note.contains("has not said whether another session holds"), "{note}");
+    // One look is left to the disk, and no other one is begun.
+    assert!(files.watch().is_empty() && Arc::strong_count(&files.looking) == 2);
+    assert!(files.watch().is_empty() && Arc::strong_count(&files.looking) == 2);
+    files.take_over();
+    drop(silent);
+    while Arc::strong_count(&files.looking) > 1 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let files = FileHost { patience: Patience::default(), ..files };
+    while !matches!(*files.claim(), Claimed::Mine(_)) {
+        files.watch();
+    }
+    assert!(dir.path().join(".road.ron.lock").exists());
+    files.leave();
+    assert!(!dir.path().join(".road.ron.lock").exists());
+}
+
+/// Seen: the end of a session whose project was on a drive that had gone waited for it, to keep the edits.
+#[test]
+fn edits_that_cannot_be_kept_beside_a_file_on_a_silent_disk_are_kept_in_the_data_directory() {
+    let place = tempfile::tempdir().unwrap();
+    let (dir, path, files, project) = open();
+    let data = place.path().join("data");
+    // The other disk has to answer in this time.
+    let patience = Patience { keeping: Duration::from_secs(3), ..SHORT };
+    let files = FileHost { patience, home: Home::at(Some(data.clone())), ..files };
+    let silent = project::silent::falls(dir.path());
+    let edits = edited(&project, "one");
+    for _ in 0..3 {
+        let kept = files.recover(&edits).unwrap();
+        assert!(kept.starts_with(&data), "{}", kept.display());
+    }
+    // One file, and the start after that offers it.
+    assert_eq!(fs::read_dir(data.join("recovery")).unwrap().count(), 1);
+    drop(files);
+    drop(silent);
+    let opened = project::load(&path).unwrap();
+    let (_, beginning) = FileHost::new(opened.document, Home::at(Some(data)));
+    assert_eq!(beginning.kept.unwrap().project.name, "one");
+}

@@ -1,7 +1,8 @@
 //! Files are read and written by a thread of their own, so that the loop never waits for a disk.
 //!
 //! One queue: what was asked for first is done first, and its answer comes as a message. The end of the
-//! session waits for it for a while, so that a save is not cut off and an export leaves no draft. The recovery
+//! session waits for it for a while, so that a save is not cut off and an export leaves no draft; what a slow
+//! disk keeps waiting is told meanwhile. The recovery
 //! file is not part of it but of [`super::keeping`]: it must be written also while a disk keeps this
 //! thread waiting.
 
@@ -9,6 +10,7 @@ use super::errands::Errands;
 use super::events::Mail;
 use super::exports::ExportWanted;
 use super::program::Host;
+use super::waiting::Waiting;
 use crate::app::message::{Command, Message, OpenFailure, SaveFailure};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -26,8 +28,9 @@ impl Filing {
     /// Starts the thread; its answers go to `mail`.
     pub(super) fn open(host: Arc<dyn Host>, mail: Mail) -> Filing {
         let theirs = Arc::clone(&host);
+        let waiting = Waiting::open(mail.clone());
         let errands = Errands::open("files", move |order| {
-            if let Some(message) = carry_out(theirs.as_ref(), order) {
+            if let Some(message) = waiting.during(|| carry_out(theirs.as_ref(), order)) {
                 mail.send(message);
             }
         });

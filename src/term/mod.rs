@@ -44,11 +44,13 @@ mod preferences;
 mod program;
 mod rescue;
 mod run;
+mod saving;
 mod session;
 mod signals;
 mod state;
 mod travel;
 mod tty;
+mod waiting;
 mod watch;
 mod workshop;
 

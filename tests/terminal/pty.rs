@@ -24,7 +24,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// Longest wait for anything; generous, because other tests share the machine.
-const PATIENCE: Duration = Duration::from_secs(20);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 /// A terminal is quiet when it got nothing for this long.
 const QUIET: Duration = Duration::from_millis(400);
 /// Time between two looks.
@@ -307,10 +307,14 @@ impl Pty {
         master.resize(pty_size((width, height))).unwrap();
     }
 
+    /// The number of the program's process.
+    pub(crate) fn id(&self) -> u32 {
+        self.child.process_id().expect("it has been waited for")
+    }
+
     /// Sends the program a signal.
     pub(crate) fn signal(&self, signal: Signal) {
-        let id = self.child.process_id().unwrap() as i32;
-        kill_process(Pid::from_raw(id).unwrap(), signal).unwrap();
+        kill_process(Pid::from_raw(self.id() as i32).unwrap(), signal).unwrap();
     }
 
     /// Sends the program a signal, if it is still there.
