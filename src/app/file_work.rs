@@ -76,7 +76,9 @@ impl FileWork {
         for command in commands {
             match command {
                 Command::Save { project, .. } => self.saves.push_back(project.clone()),
-                Command::Export { .. } | Command::KeepSettings { .. } => self.others += 1,
+                Command::Export { .. }
+                | Command::KeepSettings { .. }
+                | Command::KeepMesh { .. } => self.others += 1,
                 Command::OpenProject { .. } => self.opens += 1,
                 _ => {}
             }

@@ -42,6 +42,24 @@ impl App {
         Vec::new()
     }
 
+    /// The marked mesh of the project goes into the user's own catalogue too.
+    pub(super) fn keep_mesh(&mut self) -> Vec<Command> {
+        let Mode::MeshPicker { index } = *self.screen.mode() else { return Vec::new() };
+        match self.meshes().into_iter().nth(index) {
+            Some(choice) if choice.inline => {
+                // Another project that is opened now is offered it already.
+                self.editor.offer_too(&choice.mesh);
+                vec![Command::KeepMesh { mesh: choice.mesh }]
+            }
+            _ => {
+                self.complain(
+                    "only a mesh that is written out in this project is kept by this key",
+                );
+                Vec::new()
+            }
+        }
+    }
+
     /// Esc in the form: back to the list of meshes.
     pub(super) fn leave_mesh_form(&mut self) -> Vec<Command> {
         self.screen.leave_form();

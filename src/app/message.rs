@@ -5,6 +5,7 @@ use super::key::Key;
 use super::settings::{SettingItem, Settings};
 use crate::export::ExportKind;
 use crate::job::{News, Order};
+use crate::mesh::MeshType;
 use crate::project::{Holder, Project};
 use crate::units::Units;
 use std::path::PathBuf;
@@ -43,8 +44,8 @@ pub enum Message {
     Work(News),
     /// The program runs again after it was suspended; the whole screen must be drawn.
     Resumed,
-    /// Settings were kept, with what the user should know of it, or could not be, and why.
-    SettingsKept(Result<Option<String>, String>),
+    /// Settings or a mesh were kept in the user's folder, with what is to be known of it, or could not be, and why.
+    KeptAtHome(Result<Option<String>, String>),
     /// The project files that were found.
     Projects(Vec<FoundProject>),
     /// Another project was read, or could not be.
@@ -192,12 +193,17 @@ pub enum Command {
     Redraw,
     /// End the program.
     Quit,
-    /// Keep a setting for the next start, and answer with [`Message::SettingsKept`].
+    /// Keep a setting for the next start, and answer with [`Message::KeptAtHome`].
     KeepSettings {
         /// The setting that was changed; the others may have been changed by another session.
         changed: SettingItem,
         /// What holds in this session.
         settings: Settings,
+    },
+    /// Put a mesh of the project into the user's own catalogue too, and answer with [`Message::KeptAtHome`].
+    KeepMesh {
+        /// The mesh.
+        mesh: Arc<MeshType>,
     },
     /// Put a text into the clipboard of the terminal, if it takes that.
     Copy { text: String },

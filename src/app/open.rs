@@ -70,7 +70,9 @@ impl App {
         // The same file read anew is looked at where it was left.
         let again = self.path() == Some(path.as_path());
         let left = again.then(|| (self.layout().name.clone(), self.field()));
+        let own = self.editor.take_offered();
         self.editor = Editor::new(project, Some(path), self.settings().chosen_units());
+        self.editor.offer(own);
         if let Some((name, field)) = left {
             let same = self.editor.layouts().iter().position(|l| l.name == name);
             self.editor.select(same.unwrap_or(0));

@@ -87,7 +87,7 @@ impl App {
                 self.changed(changed);
                 Vec::new()
             }
-            Message::SettingsKept(result) => {
+            Message::KeptAtHome(result) => {
                 self.files.written(result.is_ok());
                 match result {
                     Ok(Some(note)) => self.inform(note),
@@ -228,6 +228,7 @@ impl App {
                 self.screen.show(Mode::MeshForm(Box::new(MeshForm::record())));
             }
             Action::AdoptMesh => self.show_adopt_form(),
+            Action::KeepMesh => return self.keep_mesh(),
             Action::Branch => {
                 let said = self.editor.toggle_branch();
                 self.inform(said);

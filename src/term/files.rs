@@ -9,6 +9,7 @@ use crate::app::message::{
 };
 use crate::app::saving::READS_ONLY;
 use crate::app::settings::{SettingItem, Settings};
+use crate::mesh::MeshType;
 use crate::project::home::typed_path;
 use crate::project::{
     self, Claimed, Document, FileStamp, Holder, Home, MOMENT, Opened, OwnRecovery, Project,
@@ -328,6 +329,11 @@ impl Host for FileHost {
         settings: &Settings,
     ) -> Result<Option<String>, String> {
         super::preferences::keep(&self.home, changed, settings)
+    }
+
+    fn keep_mesh(&self, mesh: &Arc<MeshType>) -> Result<String, String> {
+        let file = self.home.keep_own_mesh(mesh)?;
+        Ok(format!("{} is in your own catalogue too: {}", mesh.id, file.display()))
     }
 
     fn tidy(&self) {

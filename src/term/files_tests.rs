@@ -63,6 +63,17 @@ fn what_was_kept_of_an_adoption_goes_when_its_mesh_is_written_and_not_before() {
 }
 
 #[test]
+fn a_mesh_is_kept_in_the_users_own_catalogue_once() {
+    let (_dir, _path, files, _project) = open();
+    let mut mesh = (*catalogue::reference()).clone();
+    (mesh.id, mesh.reference) = ("mine".into(), false);
+    let mesh = Arc::new(mesh);
+    assert!(files.keep_mesh(&mesh).unwrap().starts_with("mine is in your own catalogue too: "));
+    assert_eq!(files.home.own_meshes().unwrap(), std::slice::from_ref(&mesh));
+    assert!(files.keep_mesh(&mesh).unwrap_err().contains("already, which stays"));
+}
+
+#[test]
 fn another_name_is_the_projects_own_from_then_on() {
     let (dir, path, files, project) = open();
     let other = dir.path().join("other.ron");

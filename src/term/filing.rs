@@ -79,8 +79,9 @@ fn answer(host: &dyn Host, order: &Command) -> Option<Message> {
         Command::ListProjects => Message::Projects(host.list()),
         Command::OpenProject { path } => Message::Opened(host.open(path)),
         Command::KeepSettings { changed, settings } => {
-            Message::SettingsKept(host.keep_settings(*changed, settings))
+            Message::KeptAtHome(host.keep_settings(*changed, settings))
         }
+        Command::KeepMesh { mesh } => Message::KeptAtHome(host.keep_mesh(mesh).map(Some)),
         _ => return None,
     })
 }
@@ -98,7 +99,9 @@ fn failed(order: &Command) -> Option<Message> {
         Command::Export { .. } => Message::Exported(Err(message)),
         Command::ListProjects => Message::Projects(Vec::new()),
         Command::OpenProject { .. } => Message::Opened(Err(OpenFailure { message })),
-        Command::KeepSettings { .. } => Message::SettingsKept(Err(message)),
+        Command::KeepSettings { .. } | Command::KeepMesh { .. } => {
+            Message::KeptAtHome(Err(message))
+        }
         _ => return None,
     })
 }

@@ -7,6 +7,7 @@ use crate::app::message::{
     Saved,
 };
 use crate::app::settings::{SettingItem, Settings};
+use crate::mesh::MeshType;
 use crate::project::{Holder, Project};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Position;
@@ -93,6 +94,14 @@ pub trait Host: Send + Sync {
         _settings: &Settings,
     ) -> Result<Option<String>, String> {
         Ok(None)
+    }
+
+    /// Puts a mesh into the user's own catalogue too; what to say of it. A host without a place for it says so.
+    ///
+    /// # Errors
+    /// Why it is not there.
+    fn keep_mesh(&self, _mesh: &Arc<MeshType>) -> Result<String, String> {
+        Err("there is no folder for a catalogue of your own".into())
     }
 
     /// Writes a report, a chart or a table. A host without files says so.

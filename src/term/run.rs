@@ -160,7 +160,8 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             | Command::ListProjects
             | Command::OpenProject { .. }
             | Command::TakeFile { .. }
-            | Command::KeepSettings { .. } => self.filing.order(effect),
+            | Command::KeepSettings { .. }
+            | Command::KeepMesh { .. } => self.filing.order(effect),
             Command::Recover { project } => {
                 let result = self.host.recover(&project);
                 self.rescue.kept(project);

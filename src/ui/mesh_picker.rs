@@ -70,6 +70,9 @@ pub(crate) fn draw(
         (None, None) => "no ratios of its own: the reference's are assumed, with a warning".into(),
     });
     lines.push(format!("source: {}", lab.source));
+    if choice.inline {
+        lines.push("C keeps it in your own catalogue too, for other projects".into());
+    }
     sentences(buf, below, (1, usize::from(below.width).saturating_sub(3)), &lines, theme);
     place
 }

@@ -2,7 +2,7 @@
 
 use crate::harness::*;
 use meshcast::app::App;
-use meshcast::app::message::{Command, Message};
+use meshcast::app::message::{Command, Message, OpenedProject};
 use meshcast::job::news::{StepProgress, What};
 use meshcast::job::order::{Order, Task};
 use meshcast::job::{News, Ticket};
@@ -220,4 +220,31 @@ fn a_mesh_of_the_users_own_is_offered_and_written_into_the_project() {
     let held = &app.project().meshes;
     let inline = |held: &MeshUse| matches!(held, MeshUse::Inline(mesh) if mesh.id == "mine");
     assert!(held.iter().any(inline), "{held:?}");
+}
+
+#[test]
+fn a_mesh_of_the_project_is_kept_for_other_projects_by_a_key() {
+    let mut app = start(road_cut(), (80, 24), MONO);
+    // The catalogue has the reference mesh, and it is not the project's.
+    press(&mut app, "m");
+    assert!(press(&mut app, "C").is_empty());
+    assert!(bottom(&app).contains("only a mesh that is written out"), "{}", bottom(&app));
+    press(&mut app, "a");
+    press(&mut app, "mine<Enter><Enter>70<Enter>0.5<Enter>m<Enter><Enter><Enter>a sheet<Enter>m");
+    assert!(text(&app).contains("C keeps it in your own catalogue"), "{}", text(&app));
+    let commands = press(&mut app, "C");
+    assert!(matches!(&commands[..], [Command::KeepMesh { mesh }] if mesh.id == "mine"));
+    app.update(Message::KeptAtHome(Ok(Some("mine is in your own catalogue too: /x".into()))));
+    assert!(bottom(&app).contains("mine is in your own catalogue too"), "{}", bottom(&app));
+    // Another project that is opened in this session is offered it; it was offered none of the user's own.
+    let other = OpenedProject {
+        project: Arc::new(Project::starter("Other")),
+        path: "/site/other.ron".into(),
+        note: None,
+        kept: None,
+        holder: None,
+    };
+    app.update(Message::Opened(Ok(other)));
+    press(&mut app, "<Esc>m");
+    assert!(text(&app).contains("> mine") || text(&app).contains(" mine "), "{}", text(&app));
 }

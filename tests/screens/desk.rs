@@ -120,9 +120,9 @@ fn a_bad_file_of_settings_is_told_in_full() {
     assert_eq!(app.status().unwrap().level, Level::Error);
     press(&mut app, ":set<Enter>");
     snapshot("settings_trouble", &app);
-    app.update(Message::SettingsKept(Ok(Some("settings kept; the file ...".into()))));
+    app.update(Message::KeptAtHome(Ok(Some("settings kept; the file ...".into()))));
     assert!(text(&app).contains("settings kept"));
-    app.update(Message::SettingsKept(Err("no room".into())));
+    app.update(Message::KeptAtHome(Err("no room".into())));
     assert!(text(&app).contains("! no room"));
 }
 

@@ -71,6 +71,18 @@ impl Editor {
         self.own = own;
     }
 
+    /// Those that are offered, for the next project.
+    pub(super) fn take_offered(&mut self) -> Vec<Arc<MeshType>> {
+        std::mem::take(&mut self.own)
+    }
+
+    /// Offers one more of them.
+    pub(super) fn offer_too(&mut self, mesh: &Arc<MeshType>) {
+        if !self.own.iter().any(|there| there.id == mesh.id) {
+            self.own.push(mesh.clone());
+        }
+    }
+
     /// The project as it stands.
     pub(super) fn project(&self) -> &Arc<Project> {
         &self.project

@@ -30,6 +30,8 @@ pub enum Action {
     AddMesh,
     /// The form of a mesh to be adopted from its tests.
     AdoptMesh,
+    /// The marked mesh goes into the user's own catalogue too.
+    KeepMesh,
     Branch,
     Blocks,
     /// The next kind of grid of the layout.

@@ -180,6 +180,7 @@ const MESH_PICKER: &[Binding] = &[
     k(A::Take,  &[ENTER],                          "use",      "use this mesh"),
     k(A::AddMesh, &[c('a')],                       "add",      "add a mesh to the project, by a form"),
     k(A::AdoptMesh, &[c('A')],                     "adopt",    "adopt a mesh from its own tests: laws, runs and a method of its own, by a form"),
+    k(A::KeepMesh, &[c('C')],                      "",         "keep a mesh of this project in your own catalogue too, for other projects"),
     k(A::Find,  &[c('/')],                         "find",     "find a text in the list; Enter with nothing typed finds the next"),
     k(A::Close, &[ESC, ctrl('g'), c('q'), c('m'), ctrl('c')], "back",     "back, keep the mesh"),
 ];
