@@ -42,6 +42,7 @@ impl App {
                 "all" => return Ok(self.start_check(true)),
                 _ => return Err("check, or check all".into()),
             },
+            "method" => return self.method_command(rest),
             "campaign" => return self.campaign_command(rest),
             "fidelity" | "runs" | "live" => return self.set_command(text),
             "undo" => self.undo(),

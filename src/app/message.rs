@@ -6,6 +6,7 @@ use super::settings::{SettingItem, Settings};
 use crate::export::ExportKind;
 use crate::job::{News, Order};
 use crate::mesh::MeshType;
+use crate::project::schema::MethodFile;
 use crate::project::{Holder, Project};
 use crate::units::Units;
 use std::path::PathBuf;
@@ -50,6 +51,13 @@ pub enum Message {
     Projects(Vec<FoundProject>),
     /// Another project was read, or could not be.
     Opened(Result<OpenedProject, OpenFailure>),
+    /// A method's file was read, or could not be.
+    MethodRead {
+        /// The file of the project that is to name it.
+        of: PathBuf,
+        /// The file as that project names it, with what is in it; or why not.
+        result: Result<MethodFile, String>,
+    },
     /// Who holds the project's file, so that this session only reads it; nobody else.
     Held(Option<Holder>),
     /// Whether the file on disk is another one than was last read or written.
@@ -213,6 +221,13 @@ pub enum Command {
     OpenProject {
         /// Its file. A relative path is taken from the working directory.
         path: PathBuf,
+    },
+    /// Read a method's file that the project is to name, and answer with [`Message::MethodRead`].
+    ReadMethod {
+        /// The file. A relative path is taken from the working directory.
+        path: PathBuf,
+        /// The project's file.
+        of: PathBuf,
     },
     /// Go on with the project that was opened last: what is saved from now on goes to its file, and
     /// unsaved edits of the former one are let go.

@@ -9,7 +9,7 @@
 //! - [`settings`]: what the user decided for all projects; [`file_work`]: files being read and written.
 //!
 //! [`App`] puts them together. What a message does to them stands in [`update`], with [`command`] for the
-//! `:` line, [`pasted`], [`saving`], [`open`], [`output`], [`checking`], [`copy`] and [`tour`]; the texts
+//! `:` line, [`pasted`], [`saving`], [`open`], [`output`], [`checking`], [`copy`], [`method_naming`] and [`tour`]; the texts
 //! of help and details in [`pages`]. [`keymap`] says which key means what where, [`entry`] is the line of
 //! text being typed, [`picker`] the list of projects, searched by [`fuzzy`]; [`mesh_form`]
 //! and [`mesh_adding`] add a mesh, [`adopt_form`] and [`adopting`] adopt one from its tests.
@@ -32,6 +32,7 @@ pub mod look;
 mod mesh_adding;
 pub(crate) mod mesh_form;
 pub mod message;
+mod method_naming;
 mod open;
 mod output;
 pub(crate) mod pages;

@@ -75,6 +75,10 @@ impl App {
                 Vec::new()
             }
             Message::Opened(result) => self.opened(result),
+            Message::MethodRead { of, result } => {
+                self.method_read(&of, result);
+                Vec::new()
+            }
             Message::Held(holder) => {
                 self.held(holder);
                 Vec::new()

@@ -3,12 +3,13 @@
 
 use super::error::{Cause, FileFault, LoadError};
 use super::load::{LARGEST_FILE, decode_utf8, load_table};
-use super::schema::Project;
+use super::schema::{MethodFile, Project};
 use super::text::parser;
 use crate::mesh::MeshType;
 use crate::mesh::adopted::KeptMethod;
 use crate::method::DerivedMethod;
 use crate::problem::Problem;
+use std::fs;
 use std::path::Path;
 
 /// Reads a method's file by the door of all files, and says what is wrong with it.
@@ -25,6 +26,24 @@ pub(crate) fn read(path: &Path) -> Result<DerivedMethod, String> {
     // In bounds first: the reader of values has none for depth.
     parser::parse(&text).map_err(|_| "it is no method: derive writes one".to_string())?;
     DerivedMethod::from_ron(&text).map_err(|why| format!("it is no method: {why}"))
+}
+
+/// Reads a method's file whose path was typed, and names it for the project in the file `of`: from its folder
+/// where it stands below that, and by the whole path where not.
+///
+/// # Errors
+/// A sentence.
+pub(crate) fn name(typed: &Path, of: &Path) -> Result<MethodFile, String> {
+    let method = read(typed).map_err(|why| format!("{}: {why}", typed.display()))?;
+    let whole = |path: &Path| {
+        fs::canonicalize(path)
+            .map_err(|why| format!("{} is not found again: {why}", path.display()))
+    };
+    let folder = of.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let (file, folder) = (whole(typed)?, whole(folder.unwrap_or(Path::new(".")))?);
+    let named = file.strip_prefix(&folder).unwrap_or(&file);
+    let named = named.to_str().ok_or("its name is no text, and a project's file is one")?;
+    Ok(MethodFile { file: named.to_string(), method: Some(KeptMethod::keep(method)) })
 }
 
 /// Whether a mesh can go by a method: it has the net and the wires of the simulations.
@@ -113,6 +132,36 @@ mod tests {
     use crate::method::{DerivedMethod, canned};
     use std::fs;
 
+    /// A method's file of the reference mesh.
+    fn method() -> (DerivedMethod, String) {
+        let reference = catalogue::reference();
+        let wires = reference.wire.as_ref().unwrap().print().to_string();
+        let method = DerivedMethod { mesh: reference.id.clone(), wires, ..canned::method() };
+        let text = ron::ser::to_string(&method).unwrap();
+        (method, text)
+    }
+
+    #[test]
+    fn a_typed_file_is_named_from_the_projects_folder() {
+        let dir = tempfile::tempdir().unwrap();
+        let [site, other] = ["site", "other"].map(|name| dir.path().join(name));
+        fs::create_dir_all(site.join("runs")).unwrap();
+        fs::create_dir(&other).unwrap();
+        let of = site.join("p.ron");
+        for folder in [site.join("runs"), other.clone()] {
+            fs::write(folder.join("m.ron"), method().1).unwrap();
+        }
+        let below = super::name(&site.join("runs/../runs/m.ron"), &of).unwrap();
+        assert_eq!(below.file, "runs/m.ron");
+        // Outside of the folder the whole path is what finds it.
+        let outside = super::name(&other.join("m.ron"), &of).unwrap();
+        assert_eq!(outside.file, other.canonicalize().unwrap().join("m.ron").to_str().unwrap());
+        assert_eq!(below.method, outside.method);
+        assert!(super::name(&site.join("none.ron"), &of).unwrap_err().contains("none.ron"));
+        fs::write(site.join("no.ron"), "(version: 2)").unwrap();
+        assert!(super::name(&site.join("no.ron"), &of).unwrap_err().contains("no method"));
+    }
+
     /// Seen: a project was saved into another folder and could not be opened there, for its method stayed where
     /// it was. Cause: its text was looked at before it was written, and not what it names.
     #[test]
@@ -121,10 +170,7 @@ mod tests {
         let [here, there] = ["here", "there"].map(|name| dir.path().join(name));
         fs::create_dir(&here).unwrap();
         fs::create_dir(&there).unwrap();
-        let reference = catalogue::reference();
-        let wires = reference.wire.as_ref().unwrap().print().to_string();
-        let canned = DerivedMethod { mesh: reference.id.clone(), wires, ..canned::method() };
-        let method = ron::ser::to_string(&canned).unwrap();
+        let (canned, method) = method();
         fs::write(here.join("m.ron"), &method).unwrap();
         let text = "(version: 2, name: \"p\", meshes: [\"dt-8x10-2.7\"], method_files: [\"m.ron\"], layouts: [])";
         fs::write(here.join("p.ron"), text).unwrap();

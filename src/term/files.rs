@@ -11,6 +11,8 @@ use crate::app::saving::READS_ONLY;
 use crate::app::settings::{SettingItem, Settings};
 use crate::mesh::MeshType;
 use crate::project::home::typed_path;
+use crate::project::method_files;
+use crate::project::schema::MethodFile;
 use crate::project::{
     self, Claimed, Document, FileStamp, Holder, Home, MOMENT, Opened, OwnRecovery, Project,
     Recovery, claim_in_time, in_time, put_away, same_file, time_text,
@@ -301,6 +303,10 @@ impl Host for FileHost {
         let Beginning { kept, holder, note } = beginning;
         let (project, path) = (Arc::new(project), path.clone());
         Ok(OpenedProject { project, path, note, kept, holder })
+    }
+
+    fn read_method(&self, path: &Path, of: &Path) -> Result<MethodFile, String> {
+        method_files::name(&typed_path(path), of)
     }
 
     fn take_over(&self) {

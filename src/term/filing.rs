@@ -78,6 +78,9 @@ fn answer(host: &dyn Host, order: &Command) -> Option<Message> {
         Command::TakeFile { path } => Message::Held(host.take_file(path.as_deref())),
         Command::ListProjects => Message::Projects(host.list()),
         Command::OpenProject { path } => Message::Opened(host.open(path)),
+        Command::ReadMethod { path, of } => {
+            Message::MethodRead { of: of.clone(), result: host.read_method(path, of) }
+        }
         Command::KeepSettings { changed, settings } => {
             Message::KeptAtHome(host.keep_settings(*changed, settings))
         }
@@ -101,6 +104,9 @@ fn failed(order: &Command) -> Option<Message> {
         Command::OpenProject { .. } => Message::Opened(Err(OpenFailure { message })),
         Command::KeepSettings { .. } | Command::KeepMesh { .. } => {
             Message::KeptAtHome(Err(message))
+        }
+        Command::ReadMethod { of, .. } => {
+            Message::MethodRead { of: of.clone(), result: Err(message) }
         }
         _ => return None,
     })

@@ -8,6 +8,7 @@ use crate::app::message::{
 };
 use crate::app::settings::{SettingItem, Settings};
 use crate::mesh::MeshType;
+use crate::project::schema::MethodFile;
 use crate::project::{Holder, Project};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Position;
@@ -124,6 +125,14 @@ pub trait Host: Send + Sync {
     /// Why it cannot be read.
     fn open(&self, _path: &Path) -> Result<OpenedProject, OpenFailure> {
         Err(OpenFailure { message: "no other project can be opened here".to_owned() })
+    }
+
+    /// Reads a method's file that was typed, and names it for the project in the file `of`.
+    ///
+    /// # Errors
+    /// Why it cannot be named.
+    fn read_method(&self, _path: &Path, _of: &Path) -> Result<MethodFile, String> {
+        Err("no file can be read here".to_owned())
     }
 
     /// Goes on with the project that was opened last; the recovery file of the present one is dropped.

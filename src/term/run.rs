@@ -159,6 +159,7 @@ impl<P: Program, S: Stage> Loop<'_, P, S> {
             | Command::Export { .. }
             | Command::ListProjects
             | Command::OpenProject { .. }
+            | Command::ReadMethod { .. }
             | Command::TakeFile { .. }
             | Command::KeepSettings { .. }
             | Command::KeepMesh { .. } => self.filing.order(effect),

@@ -571,3 +571,19 @@ fn a_mesh_is_added_by_a_form_and_saved_with_the_project() {
     press(&mut app, "e/table<Enter>");
     assert!(matches!(app.mode(), Mode::Export { index: 1.. }), "{:?}", app.mode());
 }
+
+#[test]
+fn the_envelope_of_the_curves_is_drawn_around_a_derived_forecast_only() {
+    let mut app = start(road_cut(), (80, 24), ASCII);
+    // The sign that its lines have in plain characters; the plan and the chart have no other commas.
+    let dots = |app: &App| {
+        let all = text(app);
+        let chart = all.lines().filter(|line| line.contains('|')).collect::<String>();
+        chart.matches(',').count()
+    };
+    let without = dots(&app);
+    press(&mut app, "M");
+    assert!(dots(&app) > without + 5, "{} {without}: {}", dots(&app), text(&app));
+    press(&mut app, "u");
+    assert_eq!(dots(&app), without);
+}

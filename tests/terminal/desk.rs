@@ -107,3 +107,34 @@ fn a_copy_leaves_the_screen_alone() {
     pty.send("q");
     assert!(pty.wait_exit().success());
 }
+
+#[test]
+fn a_methods_file_is_named_in_the_session_and_stands_in_the_saved_file() {
+    let launch = Launch::meshcast();
+    let home = launch.home();
+    fs::create_dir_all(home.join("site/runs")).unwrap();
+    fs::write(home.join("site/one.ron"), PROJECT.replace("NAME", "first bench")).unwrap();
+    let method = include_str!("../../assets/methods/dt-8x10-2.7-repeated.ron");
+    fs::write(home.join("site/runs/m.ron"), method).unwrap();
+    fs::write(home.join("no.ron"), PROJECT).unwrap();
+    let mut pty = launch.arg("site/one.ron").start();
+    pty.wait_for("first bench");
+    // Typed from the working directory, as all paths are; no file and no method are refused in words.
+    pty.send(":method away.ron\r");
+    pty.wait_for("away.ron: there is no such file");
+    pty.send(":method no.ron\r");
+    pty.wait_for("no.ron: it is no method");
+    pty.send(":method site/runs/m.ron\r");
+    pty.wait_for("blocks go by runs/m.ron");
+    pty.send("\x13");
+    pty.wait_for("saved");
+    let saved = fs::read_to_string(home.join("site/one.ron")).unwrap();
+    assert!(saved.contains("method_files: [\"runs/m.ron\"]"), "{saved}");
+    pty.send("u\x13");
+    pty.wait_until("the file without it", |_| {
+        fs::read_to_string(home.join("site/one.ron"))
+            .is_ok_and(|text| !text.contains("method_files"))
+    });
+    pty.send("q");
+    assert!(pty.wait_exit().success());
+}

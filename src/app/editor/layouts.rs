@@ -7,8 +7,9 @@ use crate::case::{Input, StepSize};
 use crate::layout::{self, Blocks, BranchRule, Grid, Layout, MethodChoice, PunchShape, Twists};
 use crate::mesh::{MeshType, REFERENCE_ID};
 use crate::problem;
+use crate::project::method_files::fits;
 use crate::project::schema::{
-    LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, NamedLayout,
+    LONGEST_NAME, MOST_LAYOUTS, MOST_MESHES, MOST_OVERLAYS, MeshUse, MethodFile, NamedLayout,
 };
 use crate::study::verdict::Basis;
 use crate::units::ChosenUnits;
@@ -456,6 +457,43 @@ impl Editor {
     pub(in crate::app) fn set_basis(&mut self, basis: Basis) -> String {
         self.edit("basis of verdicts", |project| project.basis = basis);
         format!("verdicts go by {} values", basis.word())
+    }
+
+    /// Names a method's file that was read. One of the same mesh and arrangement makes room for it; what to say.
+    ///
+    /// # Errors
+    /// Why it cannot be named.
+    pub(in crate::app) fn name_method(&mut self, named: MethodFile) -> Result<String, String> {
+        let method = named.method.ok_or("it was not read")?.0;
+        let file = named.file.clone();
+        fits(method, self.project.find_mesh(&method.mesh).as_deref())
+            .map_err(|why| format!("{file}: {why}"))?;
+        let there = self.project.method_files.iter().find(|other| other.file == file);
+        if let Some(there) = there {
+            let as_before = there.method == named.method;
+            let anew = if as_before { "" } else { "; it has changed since, :reload reads it" };
+            return Ok(format!("{file} is named already{anew}"));
+        }
+        let takes_place = |other: &MethodFile| {
+            let other = other.method.map(|kept| (&kept.0.mesh, kept.0.blocks));
+            other == Some((&method.mesh, method.blocks))
+        };
+        let before = self.project.method_files.iter().find(|other| takes_place(other));
+        let before = before.map_or(String::new(), |before| format!(" in place of {}", before.file));
+        self.edit("method's file", |project| {
+            project.method_files.retain(|other| !takes_place(other));
+            project.method_files.push(named);
+        });
+        let blocks = method.blocks.word();
+        Ok(format!("derived forecasts of {blocks} blocks go by {file}{before}"))
+    }
+
+    /// Names no method's file any more; what to say.
+    pub(in crate::app) fn drop_methods(&mut self) -> String {
+        match self.edit("methods' files", |project| project.method_files.clear()) {
+            true => "derived forecasts go by the methods of the meshes again".into(),
+            false => "no method's file is named".into(),
+        }
     }
 
     /// Names the project, its site or what else stands in the head of its report.

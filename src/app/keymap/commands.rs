@@ -50,6 +50,10 @@ pub const COMMANDS: &[CommandHelp] = &[
         form: "campaign [RUNS] [BLOCKS] FOLDER",
         help: "runs of random layouts with this mesh and the method from them; the same goes on",
     },
+    CommandHelp {
+        form: "method FILE|off",
+        help: "a method that a campaign or derive wrote, for this project; off: none",
+    },
     CommandHelp { form: "fidelity auto|quick|standard|fine", help: "how exactly checks compute" },
     CommandHelp {
         form: "runs N|auto",
