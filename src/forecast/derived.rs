@@ -269,6 +269,33 @@ mod tests {
     }
 
     #[test]
+    fn that_a_method_is_of_other_wires_is_told_where_it_is_so_and_nowhere_else() {
+        use crate::mesh::adopted::NamedMethods;
+        use crate::method::canned;
+        let told = |mesh: &MeshType, method: MethodChoice| {
+            let layout = Layout { method, ..REFERENCE };
+            let found = forecast(&layout, mesh, BranchRule::Published).unwrap().warnings;
+            found.contains(&Warning::OtherWires)
+        };
+        let own = (*catalogue::reference()).clone();
+        assert!(!told(&own, MethodChoice::Derived));
+        let mut other = MeshType { id: "other".into(), ..own.clone() };
+        // The same wires are the same whatever they are called and wherever they come from.
+        other.wire.as_mut().unwrap().source = "measured".into();
+        assert!(!told(&other, MethodChoice::Derived));
+        let last = other.wire.as_mut().unwrap().single.last_mut().unwrap();
+        last.1 *= 1.01;
+        assert!(told(&other, MethodChoice::Derived));
+        // The published method is of no wires.
+        assert!(!told(&other, MethodChoice::Published));
+        // Nor is it told of a method of the mesh's own, or of a mesh without wires.
+        let method = DerivedMethod { mesh: "other".into(), ..canned::method() };
+        let methods = NamedMethods(vec![KeptMethod::keep(method)]);
+        assert!(!told(&MeshType { methods, ..other.clone() }, MethodChoice::Derived));
+        assert!(!told(&MeshType { wire: None, ..other }, MethodChoice::Derived));
+    }
+
+    #[test]
     fn the_curve_is_the_methods_own_and_ends_at_its_values() {
         let field = at(REFERENCE).field.unwrap();
         let end = field.end().unwrap();

@@ -5,6 +5,7 @@ use meshcast::curve::{Curve, Point};
 use meshcast::export::svg::{Series, chart, plan};
 use meshcast::export::{Band, Check, ExportedLayout};
 use meshcast::forecast::rescaled;
+use meshcast::project::parse;
 use meshcast::units::Units;
 use roxmltree::{Document, Node};
 
@@ -226,4 +227,32 @@ fn words_do_not_hang_on_the_order_of_painting() {
         assert!(rim.attribute("stroke").is_some() && words.attribute("stroke").is_none());
     }
     assert!(texts.len() > 20);
+}
+
+/// Fig. 7a of the paper: what the simulated curves lie between, around the forecast.
+#[test]
+fn the_chart_of_a_derived_forecast_has_the_envelope_of_the_curves() {
+    let svg = |method: &str| {
+        let text = format!(
+            r#"(version: 2, name: "p", layouts: [(name: "a", d: 0.32, L: 3.0, D: 1.0, blocks: repeated, method: "{method}")])"#
+        );
+        chart_of(&good(&parse(&text, "p.ron").expect("it opens").project), "a", Units::METRES)
+    };
+    let lines = |svg: &str| -> Vec<Vec<(f64, f64)>> {
+        let document = Document::parse(svg).unwrap();
+        let dotted = |n: &Node| n.attribute("stroke-dasharray") == Some("1 4");
+        let lines = document.descendants().filter(|n| n.has_tag_name("polyline") && dotted(n));
+        lines.map(|n| corners(&n)).filter(|points| points.len() > 2).collect()
+    };
+    let derived = svg("derived");
+    assert_sound(&derived);
+    assert!(words(&derived).contains("90 % of the simulated curves"), "{}", words(&derived));
+    let found = lines(&derived);
+    let [low, high] = &found[..] else { panic!("{} lines", found.len()) };
+    // 21 points each, from the same start to the same end; up on the page is less.
+    assert_eq!((low.len(), high.len()), (21, 21));
+    assert_eq!((low[0], low[20]), (high[0], high[20]));
+    assert!((1..20).all(|k| low[k].1 > high[k].1));
+    let published = svg("pol-gabrieli-2021");
+    assert!(lines(&published).is_empty() && !words(&published).contains("90 % of the simulated"));
 }

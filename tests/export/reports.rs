@@ -2,7 +2,7 @@
 
 use super::{ODD, good, keep, odd, projects};
 use meshcast::export::{Check, ExportedLayout, Report, ReportSource};
-use meshcast::project::{NamedLayout, Project};
+use meshcast::project::{NamedLayout, Project, parse};
 use roxmltree::{Document, Node, ParsingOptions};
 
 fn report<'a>(
@@ -187,4 +187,29 @@ fn in_the_short_form_what_to_distrust_comes_before_pictures_that_leave_it_room()
         let said = words.or_else(|| page.find("Caution")).or_else(|| page.find("Note"));
         assert!(said.expect("something is said") < pictures.expect("a picture"), "{page}");
     }
+}
+
+#[test]
+fn the_report_says_by_which_method_a_layout_is_forecast() {
+    let project = |method: &str| {
+        let text = format!(
+            r#"(version: 2, name: "p", layouts: [(name: "a", d: 0.32, L: 3.0, D: 1.0, ex: 0.5, ey: 0.9, blocks: worst, method: "{method}")])"#
+        );
+        parse(&text, "p.ron").expect("it opens").project
+    };
+    let text = |project: &Project| {
+        let cases = good(project);
+        let made = report(project, &cases, &[]);
+        (read(&made.html()), made.markdown())
+    };
+    let (html, markdown) = text(&project("derived"));
+    // Facing blocks take less with this offset, so that their method counts and is the only one named.
+    for said in
+        ["Derived methods.", "dt-8x10-2.7 mirrored:", "runs of random layouts", "size relations:"]
+    {
+        assert!(html.contains(said) && markdown.contains(said), "{said}");
+    }
+    assert!(!markdown.contains("dt-8x10-2.7 repeated:"));
+    let (html, markdown) = text(&project("pol-gabrieli-2021"));
+    assert!(!html.contains("Derived methods.") && !markdown.contains("Derived methods."));
 }
