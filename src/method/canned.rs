@@ -1,6 +1,6 @@
 //! A method in round numbers for tests.
 
-use super::offset::{Offsets, count};
+use super::offset::{Offsets, ThroughForm, count};
 use super::sizes::{PUBLISHED, Sizes, Surface, Term};
 use super::*;
 
@@ -19,7 +19,7 @@ pub(crate) fn method() -> DerivedMethod {
         deflection_error: 0.001,
         runs: 32,
     };
-    let offsets = vec![0.05; count(2)];
+    let offsets = vec![0.05; count(2, ThroughForm::Cosines)];
     DerivedMethod {
         format: FORMAT,
         name: "canned".into(),
@@ -52,6 +52,7 @@ pub(crate) fn method() -> DerivedMethod {
         },
         offsets: Offsets {
             harmonics: 2,
+            through: [ThroughForm::Cosines; 2],
             ridge: 0.0001,
             force: offsets.clone(),
             deflection: offsets,

@@ -81,9 +81,11 @@ impl DerivedMethod {
         if self.format != FORMAT {
             return Err(format!("its form is {} and not {FORMAT}: derive it again", self.format));
         }
-        let n = offset::count(self.offsets.harmonics);
-        if self.offsets.force.len() != n || self.offsets.deflection.len() != n {
-            return Err(format!("offsets: {n} coefficients each are needed"));
+        let offsets = &self.offsets;
+        let due = offsets.through.map(|form| offset::count(offsets.harmonics, form));
+        if [offsets.force.len(), offsets.deflection.len()] != due {
+            let [force, deflection] = due;
+            return Err(format!("offsets: {force} and {deflection} coefficients are needed"));
         }
         let [a, b, c] = self.master.cubic;
         if !(a > 0.0 && c > b * b / (3.0 * a) && (a + b + c - 1.0).abs() < 1.0e-9) {

@@ -5,6 +5,7 @@ use crate::cli::written::create;
 use crate::lab::campaign::file::{self, CampaignText};
 use crate::lab::derive::derive;
 use crate::layout::{Blocks, Layout, REFERENCE};
+use crate::method::offset::ThroughForm;
 use crate::method::sizes::PUBLISHED;
 use crate::method::{Anchor, DerivedMethod};
 use crate::project::home::typed_path;
@@ -179,7 +180,13 @@ fn text(m: &DerivedMethod, out: Option<&Path>) -> String {
             list(&s.large_offset)
         ),
     );
-    line("offsets", format!("{} runs, cosines to {}", m.offsets.runs, m.offsets.harmonics));
+    let [force, deflection] = m.offsets.through.map(|form| match form {
+        ThroughForm::Cosines => "cosines to 2",
+        ThroughForm::BySize => "by d, L, D as well",
+    });
+    let (runs, cosines) = (m.offsets.runs, m.offsets.harmonics);
+    line("offsets", format!("{runs} runs, cosines to {cosines}"));
+    line("  of small blocks", format!("force {force}, deflection {deflection}"));
     t.push_str(
         "\nfactors of an offset on F and delta at the reference panel; rows ey/L, columns ex/L\n",
     );
