@@ -121,8 +121,12 @@ fn single(
     finished: &(dyn Fn(usize, &Run) + Sync),
 ) -> Result<Stood, Vec<Problem>> {
     let in_field = |n| SceneSpec { arrangement: Arrangement::Single(n), ..spec.clone() };
-    let quick = Controls { fidelity: Fidelity::Quick, after_break: 0.0, ..controls.clone() };
     let trials = Plan { runs: Some(TRIALS), ..plan.clone() };
+    // Where the answer is asked for as the trials are made, those of its field are its runs.
+    let own = controls.fidelity == Fidelity::Quick && !plan.auto && plan.runs == trials.runs;
+    let after_break = if own { controls.after_break } else { 0.0 };
+    let quick = Controls { fidelity: Fidelity::Quick, after_break, ..controls.clone() };
+    let mut tried: Vec<(usize, Ensemble)> = Vec::new();
     let mut before: Option<(usize, [f64; 2])> = None;
     let (mut cells, mut unsettled) = (FIELDS[0], None);
     for n in FIELDS {
@@ -132,6 +136,7 @@ fn single(
             let ensemble = Ensemble { runs: Vec::new(), ..ensemble };
             return Ok(Stood { arrangement: Arrangement::Single(n), unsettled: None, ensemble });
         }
+        tried.push((n, ensemble));
         if now[0] <= 0.0 {
             break; // The block slips through whatever is around it.
         }
@@ -145,7 +150,13 @@ fn single(
         }
         before = Some((n, now));
     }
-    let mut ensemble = paired::run_watched(&in_field(cells), controls, plan, progress, finished)?;
+    let mut ensemble = match tried.into_iter().find(|(n, _)| own && *n == cells) {
+        Some((_, ensemble)) => {
+            ensemble.runs.iter().enumerate().for_each(|(k, run)| finished(k, run));
+            ensemble
+        }
+        None => paired::run_watched(&in_field(cells), controls, plan, progress, finished)?,
+    };
     if unsettled.is_some() {
         ensemble.flags.push(CheckFlag::Unsettled);
     }
@@ -221,6 +232,32 @@ mod tests {
             anchor.force = [7.0, 7.0, force];
         }
         assert_eq!([0.5, 0.85, 0.9].map(|part| by_hand.anchors_carrying(part)), [1, 2, 3]);
+    }
+
+    /// Four quick runs were made twice: to find the field, and for the answer.
+    #[test]
+    fn the_runs_that_found_the_field_are_the_answers_own_where_they_are_the_same() {
+        let controls = Controls { fidelity: Fidelity::Quick, ..Controls::default() };
+        let plan = Plan { runs: Some(TRIALS), ..Plan::default() };
+        let told = std::sync::Mutex::new(Vec::new());
+        // Where a run's number is lower than that of the one before, a field begins.
+        let (last, fields) = (std::sync::Mutex::new(usize::MAX), std::sync::Mutex::new(0));
+        let progress = |now: EnsembleProgress| {
+            let before = std::mem::replace(&mut *last.lock().unwrap(), now.run);
+            *fields.lock().unwrap() += usize::from(now.run < before);
+            Flow::Continue
+        };
+        let finished = |k: usize, _: &Run| told.lock().unwrap().push(k);
+        let found = run(&spec(Blocks::Single), &controls, &plan, &progress, &finished).unwrap();
+        let spec = SceneSpec { arrangement: found[0].arrangement, ..spec(Blocks::Single) };
+        let alone = ensemble::run(&spec, &controls, &plan, &|_| Flow::Continue).unwrap();
+        let breaks = |ensemble: &Ensemble| -> Vec<_> {
+            let of = |run: &Run| (run.seed, run.outcome.first_break, run.outcome.breaks.clone());
+            ensemble.runs.iter().map(of).collect()
+        };
+        assert_eq!(breaks(&found[0].ensemble), breaks(&alone));
+        assert_eq!(*told.lock().unwrap(), [0, 1, 2, 3]);
+        assert!((2..=FIELDS.len()).contains(&*fields.lock().unwrap()), "{fields:?}");
     }
 
     #[test]
