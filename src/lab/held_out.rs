@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// D that tells small blocks from others, m.
-const SMALL: f64 = 0.4;
+pub(crate) const SMALL: f64 = 0.4;
 
 /// Aims for the middle 80 % of check over derived forecast.
 pub(crate) const AIMS: [[f64; 2]; 2] = [[0.93, 1.07], [0.90, 1.12]];
@@ -32,6 +32,8 @@ pub(crate) struct HeldOutPlan {
     pub(crate) fidelity: Fidelity,
     /// Part by which the ranges of d, L and D are wider than the paper's.
     pub(crate) widen: f64,
+    /// Whether blocks are below [`SMALL`] only.
+    pub(crate) small: bool,
     /// Threads, at least 1; the result does not depend on them.
     pub(crate) threads: usize,
 }
@@ -42,6 +44,8 @@ pub(crate) struct HeldOutLayout {
     pub(crate) layout: Layout,
     /// Mean force of the check, N, and deflection, m.
     pub(crate) check: [f64; 2],
+    /// Standard error of the mean force over it, and standard deviation of a single run.
+    pub(crate) error: [f64; 2],
     /// Over the derived forecast.
     pub(crate) derived: [f64; 2],
     /// Over the published one.
@@ -77,6 +81,9 @@ pub(crate) struct HeldOutPart {
     pub(crate) n: usize,
     /// Derived and published.
     pub(crate) points: [Points; 2],
+    /// Median and 90 % point of the standard error of a check's mean force, over it, and of the standard
+    /// deviation of a single run: alignment and slack of one layout.
+    pub(crate) errors: [[f64; 2]; 2],
 }
 
 /// Draws layouts and checks them. Ended by `tell`, which gets the number of the layout and the check's news.
@@ -96,12 +103,16 @@ pub(crate) fn held_out(
         ]);
     }
     let wider = 1.0 + plan.widen;
+    let mut ranges = PAPER_RANGES.map(|[from, to]| [from / wider, to * wider]);
+    if plan.small {
+        ranges[2][1] = SMALL;
+    }
     let drawing = CampaignPlan {
         blocks: plan.blocks,
         runs: plan.layouts,
         seed: plan.seed,
         fidelity: plan.fidelity,
-        ranges: PAPER_RANGES.map(|[from, to]| [from / wider, to * wider]),
+        ranges,
         ..CampaignPlan::default()
     };
     let mut table = HeldOutTable::default();
@@ -152,7 +163,9 @@ fn layout(
     }
     let check = [made.force.mean, made.deflection.mean];
     let over = |forecast: [f64; 2]| [check[0] / forecast[0], check[1] / forecast[1]];
-    Ok(HeldOutLayout { layout: *layout, check, derived: over(derived), published: over(published) })
+    let error = [made.force.error, made.force.deviation].map(|v| v / made.force.mean);
+    let [derived, published] = [derived, published].map(over);
+    Ok(HeldOutLayout { layout: *layout, check, error, derived, published })
 }
 
 impl HeldOutTable {
@@ -175,7 +188,12 @@ impl HeldOutTable {
                     });
                     Points { force, deflection }
                 };
+                let errors = [0, 1].map(|k| {
+                    let values: Vec<f64> = all.iter().map(|l| l.error[k]).collect();
+                    [0.5, 0.9].map(|part| quantile(&values, part))
+                });
                 parts.push(HeldOutPart {
+                    errors,
                     words: format!("{words}{size}"),
                     n: all.len(),
                     points: [points(|l| l.derived), points(|l| l.published)],

@@ -7,7 +7,7 @@ use crate::cli::output::{CommandEnd, Output};
 use crate::cli::watch::Watch;
 use crate::dem::{Fidelity, Flow};
 use crate::lab::campaign::EXPECTED_BREAK;
-use crate::lab::held_out::{AIMS, HeldOutPlan, HeldOutTable, Points, held_out};
+use crate::lab::held_out::{AIMS, HeldOutPlan, HeldOutTable, Points, SMALL, held_out};
 use crate::layout::Blocks;
 use crate::mesh::catalogue;
 use crate::study::result::Revisions;
@@ -36,6 +36,9 @@ pub(crate) struct HeldOutArgs {
     seed: u64,
     #[command(flatten)]
     widen: WidenFlag,
+    /// Draws blocks below 0.4 m only: of all that are drawn they are few.
+    #[arg(long)]
+    small: bool,
     /// How exactly the checks compute.
     #[arg(long, value_name = "FIDELITY", default_value = "quick", value_parser = one_of(Fidelity::ALL))]
     fidelity: Fidelity,
@@ -52,6 +55,7 @@ pub(crate) fn run(args: &HeldOutArgs) -> CommandEnd {
         seed: args.seed,
         fidelity: args.fidelity,
         widen: args.widen.part()?,
+        small: args.small,
         threads: threads(args.threads),
     };
     let watch = Watch::start();
@@ -79,6 +83,9 @@ fn text(plan: &HeldOutPlan, table: &HeldOutTable) -> String {
     if plan.widen > 0.0 {
         let _ = write!(t, ", ranges wider by {:.0} %", 100.0 * plan.widen);
     }
+    if plan.small {
+        let _ = write!(t, ", blocks below {SMALL} m");
+    }
     let left: usize = table.left_out.values().sum();
     let share = 100.0 * left as f64 / table.drawn.max(1) as f64;
     let _ = write!(t, "\nleft out: {left} ({share:.0} %)");
@@ -101,6 +108,13 @@ fn text(plan: &HeldOutPlan, table: &HeldOutTable) -> String {
         let line =
             format!("{:<32}{:>4}   {}   {}", part.words, part.n, both(derived), both(published));
         let _ = writeln!(t, "{}", line.trim_end());
+    }
+    t.push_str("\nforce, median and 90 % of the layouts: standard error of a check's mean; scatter of its single runs\n");
+    for part in table.parts().iter().filter(|part| part.n > 0 && part.words.contains("D ")) {
+        let [error, scatter] = part
+            .errors
+            .map(|[median, high]| format!("{:.1} %, {:.1} %", 100.0 * median, 100.0 * high));
+        let _ = writeln!(t, "  {:<32}{error}; {scatter}", part.words);
     }
     t.push_str("\naims for the middle 80 % of check over derived forecast:");
     for (words, [low, high]) in ["centred", "with an offset"].iter().zip(AIMS) {
