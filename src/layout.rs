@@ -419,7 +419,7 @@ impl Layout {
     }
 
     /// Whether its blocks are drawn facing their neighbours: mirrored, or the worst where they can be.
-    fn facing(&self) -> bool {
+    pub(crate) fn facing(&self) -> bool {
         match self.blocks {
             Blocks::Paper | Blocks::Repeated | Blocks::Single => false,
             Blocks::Mirrored => !self.grid.stagger,

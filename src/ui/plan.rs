@@ -55,7 +55,15 @@ pub(crate) fn draw(app: &App, area: Rect, buf: &mut Buffer, theme: &Theme) {
     put(buf, side, bottom.saturating_sub(2), 0, "y", theme.heading);
 }
 
-/// World to dots: the whole cell with its plates.
+/// How much more than the cell is shown where the other blocks stand otherwise than this one.
+const AROUND: f64 = 1.6;
+
+/// Whether blocks face each other: then where they stand is what the plan is looked at for.
+fn facing(layout: &Layout) -> bool {
+    layout.facing() && layout.folded() != (0.0, 0.0)
+}
+
+/// World to dots: the whole cell with its plates, and what is around it where blocks face each other.
 struct View {
     reach: f64,
     width: f64,
@@ -66,7 +74,9 @@ impl View {
     fn new(layout: &Layout, grid: &DotGrid) -> View {
         let (w, h) = grid.dots();
         let [x, y] = layout.sides();
-        View { reach: x.max(y) + layout.plate, width: f64::from(w), height: f64::from(h) }
+        let around = if facing(layout) { AROUND } else { 1.0 };
+        let reach = around * x.max(y) + layout.plate;
+        View { reach, width: f64::from(w), height: f64::from(h) }
     }
 
     fn dot(&self, x: f64, y: f64) -> (f64, f64) {
@@ -78,7 +88,7 @@ impl View {
 /// The plates fill the view's corners: it reaches from the outer edge of one to that of the next.
 fn plates(layout: &Layout, view: &View, grid: &mut DotGrid) {
     let pen = DotPen { ink: Ink::Title, pattern: Pattern::Solid, ascii: Some('#') };
-    if !layout.is_square() {
+    if !layout.is_square() || facing(layout) {
         return plates_of_rows(layout, view, grid, pen);
     }
     let part = layout.plate / view.reach;

@@ -3,7 +3,7 @@
 use crate::harness::*;
 use meshcast::app::App;
 use meshcast::case::Input;
-use meshcast::layout::{Grid, Twists};
+use meshcast::layout::{Blocks, Grid, Twists};
 
 fn app() -> App {
     start(road_cut(), (80, 24), COLOR)
@@ -73,4 +73,23 @@ fn a_grid_without_a_relation_says_so_and_is_drawn() {
     insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
         insta::assert_snapshot!("grid_staggered_80x24_ascii", styled(&app));
     });
+}
+
+/// At 80x24 the plan ended at the cell's own edge: of blocks that face it across an anchor line nothing was seen.
+#[test]
+fn blocks_that_face_the_own_one_are_seen_in_the_plan() {
+    let with = |blocks: Blocks| {
+        let mut project = road_cut();
+        // The gully: L 3.5 m, D 0.8 m, ey 1.15 m; above the line the next block begins at 1.95 m.
+        project.layouts = vec![project.layouts[4].clone()];
+        project.layouts[0].layout.blocks = blocks;
+        text(&start(project, (80, 24), ASCII))
+    };
+    // The plan's part of the screen; '.' is a block of another cell there.
+    let others = |shown: String| -> usize {
+        let rows = shown.lines().skip(17).take(6);
+        rows.map(|row| row.chars().skip(60).filter(|c| *c == '.').count()).sum()
+    };
+    assert!(others(with(Blocks::Mirrored)) > 3, "{}", with(Blocks::Mirrored));
+    assert_eq!(others(with(Blocks::Single)), 0, "{}", with(Blocks::Single));
 }

@@ -43,7 +43,8 @@ pub fn plan(case: &ExportedLayout, unit: Units) -> String {
     let grid = (!layout.is_square() || !up.is_empty()).then(|| format!("grid: {spacing}"));
     let others = match layout.blocks {
         Blocks::Paper | Blocks::Repeated => None,
-        Blocks::Mirrored | Blocks::Worst | Blocks::Single => {
+        Blocks::Single => Some("no blocks in other cells: single".to_string()),
+        Blocks::Mirrored | Blocks::Worst => {
             Some(format!("blocks of other cells (dashed): {}", layout.blocks.word()))
         }
     };
