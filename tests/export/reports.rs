@@ -205,7 +205,7 @@ fn the_report_says_by_which_method_a_layout_is_forecast() {
     let (html, markdown) = text(&project("derived"));
     // Facing blocks take less with this offset, so that their method counts and is the only one named.
     for said in
-        ["Derived methods.", "dt-8x10-2.7 mirrored:", "runs of random layouts", "size relations:"]
+        ["Derived methods.", "dt-8x10-2.7 mirrored:", "runs of random layouts", "size relations"]
     {
         assert!(html.contains(said) && markdown.contains(said), "{said}");
     }
