@@ -114,10 +114,9 @@ impl Claimed {
                 "this disk keeps no locks, as some network drives: nobody is kept from saving the same \
                  file, so edit it in one place at a time",
             ),
-            Claimed::Silent => Some(
-                "the disk has not said whether another session holds the file: is it on a network drive \
-                 that cannot be reached?",
-            ),
+            Claimed::Silent => {
+                Some("the disk has not said whether another session holds the file: is it away?")
+            }
             Claimed::Mine(_) | Claimed::Theirs(_) | Claimed::Nowhere => None,
         }
     }
