@@ -319,6 +319,23 @@ fn quitting_waits_for_a_save_that_runs_and_says_so() {
     assert!(matches!(press(&mut app, "q")[..], [Command::Recover { .. }, Command::Quit]));
 }
 
+/// What the room below tells each second of a disk that does not answer.
+#[test]
+fn a_save_that_takes_long_says_how_long_and_that_quitting_is_possible() {
+    let mut app = app();
+    let effects = press(&mut app, "<Right><C-s>");
+    app.update(Message::StillAtFiles { seconds: 7 });
+    assert!(text(&app).contains("still saving, 7 s; the edits are kept, quitting is possible"));
+    press(&mut app, "q");
+    app.update(Message::StillAtFiles { seconds: 8 });
+    assert!(text(&app).contains("still saving, 8 s; asked again it quits at once"));
+    // One that was on its way when the save had ended is passed over.
+    press(&mut app, "<Esc>");
+    saved(&mut app, effects);
+    app.update(Message::StillAtFiles { seconds: 9 });
+    assert!(!text(&app).contains("still saving"));
+}
+
 #[test]
 fn edits_let_go_still_wait_for_what_was_asked_to_be_written() {
     let mut app = app();
