@@ -5,7 +5,7 @@ use meshcast::curve::{Curve, Point};
 use meshcast::export::svg::{Series, chart, plan};
 use meshcast::export::{Band, Check, ExportedLayout};
 use meshcast::forecast::rescaled;
-use meshcast::project::parse;
+use meshcast::project::{Project, parse};
 use meshcast::units::Units;
 use roxmltree::{Document, Node};
 
@@ -146,6 +146,21 @@ fn a_chart_says_what_it_shows() {
     assert!(of(1).contains("no field value: the block is on an anchor plate"));
     assert!(of(2).contains("extrapolated") && of(2).contains("(beyond the chart)"), "{}", of(2));
     assert!(of(3).contains("design force 500 kN (beyond the chart)"), "{}", of(3));
+}
+
+#[test]
+fn what_all_layouts_are_asked_for_stands_in_their_chart() {
+    let mut project = sample("road-cut.ron");
+    let shown = |project: &Project| words(&chart_of(&good(project), "all", Units::METRES));
+    // Loads of 8 to 20 kN, and one without: there is no line for all of them.
+    assert!(!shown(&project).contains("design force"));
+    for named in &mut project.layouts {
+        (named.question.force, named.question.pressure) = (Some(20_000.0), None);
+        (named.question.gamma_load, named.question.deflection) = (1.0, Some(0.4));
+    }
+    let words = shown(&project);
+    assert!(words.contains("design force 20.0 kN"), "{words}");
+    assert!(words.contains("allowable deflection 0.40 m"), "{words}");
 }
 
 #[test]

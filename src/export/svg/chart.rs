@@ -7,6 +7,7 @@ use super::legend::{self, LegendEntry};
 use super::marks::{self, Mark};
 use crate::curve::{Curve, Point};
 use crate::export::{Check, ExportedLayout};
+use crate::forecast::design::Question;
 use crate::forecast::{Field, Strength, Values, rescaled};
 use crate::units::{Units, force_text, length_entry, length_text, shortest};
 
@@ -374,6 +375,36 @@ fn laboratory_words(laboratory: Values, unit: Units) -> String {
 /// Design force, allowable deflection, and with a factor on it the resistance.
 fn design(content: &mut Content, case: &ExportedLayout, unit: Units) {
     let question = &case.case.asked();
+    demand(content, question, unit);
+    if question.force.is_some()
+        && question.gamma_resistance != 1.0
+        && let Some(design) = &case.design()
+    {
+        let words = format!(
+            "design resistance, failure force / {} = {}",
+            shortest(question.gamma_resistance),
+            force_text(design.resistance, unit)
+        );
+        content.level(true, design.resistance, marks::RESISTANCE, words);
+    }
+    allowed(content, question, unit);
+}
+
+/// What is asked of all layouts alike.
+fn asked_of_all(content: &mut Content, all: &[Series<'_>], unit: Units) {
+    let Some(first) = all.first().map(|series| series.case.case.asked()) else { return };
+    let alike =
+        |same: &dyn Fn(&Question) -> bool| all.iter().all(|series| same(&series.case.case.asked()));
+    if alike(&|asked| asked.force == first.force && asked.gamma_load == first.gamma_load) {
+        demand(content, &first, unit);
+    }
+    if alike(&|asked| asked.deflection == first.deflection) {
+        allowed(content, &first, unit);
+    }
+}
+
+/// The design force, with its factor.
+fn demand(content: &mut Content, question: &Question, unit: Units) {
     if let Some(force) = question.force {
         let load = force * question.gamma_load;
         let words = if question.gamma_load == 1.0 {
@@ -387,17 +418,11 @@ fn design(content: &mut Content, case: &ExportedLayout, unit: Units) {
             )
         };
         content.level(true, load, marks::DESIGN, words);
-        if let Some(design) = &case.design()
-            && question.gamma_resistance != 1.0
-        {
-            let words = format!(
-                "design resistance, failure force / {} = {}",
-                shortest(question.gamma_resistance),
-                force_text(design.resistance, unit)
-            );
-            content.level(true, design.resistance, marks::RESISTANCE, words);
-        }
     }
+}
+
+/// The allowed deflection.
+fn allowed(content: &mut Content, question: &Question, unit: Units) {
     if let Some(deflection) = question.deflection {
         let words =
             format!("allowable deflection {} {}", length_entry(deflection, unit), unit.symbol());
@@ -431,6 +456,7 @@ fn several(content: &mut Content, all: &[Series<'_>], unit: Units) {
             content.check(check, Stroke { width: 1.2, ..marks::CHECK }, &tag, unit);
         }
     }
+    asked_of_all(content, all, unit);
     let most = content.extent();
     // One laboratory test for all is a useful scale. It is far above the field's forces and leaves
     // the plot at its upper edge.
