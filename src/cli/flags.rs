@@ -69,7 +69,7 @@ fn runs(text: &str) -> Result<Runs, String> {
 
 /// What each fidelity means; the reference is for comparing the others with it.
 const FIDELITIES: &[(Exactness, &str)] = &[
-    (Exactness::Auto, "Quick runs, their bias taken out by a few standard ones"),
+    (Exactness::Auto, "Quick runs, as slow as it takes for a mean known to 1 %"),
     (Exactness::Quick, "Errors within 3 %"),
     (Exactness::Standard, "Errors within 1 %"),
     (Exactness::Fine, "Errors within 0.2 %"),

@@ -1,7 +1,5 @@
 //! What is taken out of quick members of an ensemble.
 
-use super::sampling::plan::TARGET;
-
 /// What standard runs give over quick ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Bias {
@@ -26,9 +24,6 @@ pub(super) struct Prior {
 
 /// Pairs that the scatter assumed from pair to pair counts for.
 const SEEN: f64 = 3.0;
-/// Standard error of the bias over the target at which it is known well enough: 4 of 5 for the scatter of the
-/// members ([`super::sampling`]) leave about as much.
-const ENOUGH: f64 = 0.75;
 
 impl Prior {
     /// The bias after these ratios of standard over quick: the means of normal distributions that are known
@@ -55,9 +50,9 @@ impl Prior {
 }
 
 impl Bias {
-    /// Pairs still to be made until it is known well enough.
-    pub(super) fn more(&self) -> usize {
-        let [now, goal] = [self.errors[0], ENOUGH * TARGET].map(|error| error * error);
+    /// Pairs still to be made until the force's is known to a standard error of `goal`, a part.
+    pub(super) fn more(&self, goal: f64) -> usize {
+        let [now, goal] = [self.errors[0], goal].map(|error| error * error);
         // Each pair adds one over its own variance to one over that of the bias.
         let short = (1.0 / goal - 1.0 / now.max(f64::MIN_POSITIVE)) * self.pair * self.pair;
         if short > 0.0 { short.ceil() as usize } else { 0 }
@@ -88,10 +83,10 @@ mod tests {
     fn as_many_pairs_as_the_target_asks_for() {
         let prior = Prior { scenes: [0.02, 0.01], pairs: [0.01, 0.01] };
         // 1/0.75^2 - 1/2^2 = 1.53, of pairs that scatter by 1 %.
-        assert_eq!(prior.bias(&[]).more(), 2);
-        assert_eq!(prior.bias(&[[1.0; 2]; 2]).more(), 0);
+        assert_eq!(prior.bias(&[]).more(0.0075), 2);
+        assert_eq!(prior.bias(&[[1.0; 2]; 2]).more(0.0075), 0);
         let known = Prior { scenes: [0.005, 0.01], ..prior };
-        assert_eq!(known.bias(&[]).more(), 0);
+        assert_eq!(known.bias(&[]).more(0.0075), 0);
     }
 
     #[test]

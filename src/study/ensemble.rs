@@ -113,13 +113,28 @@ pub(crate) fn run_watched(
     finished: &(dyn Fn(usize, &Run) + Sync),
 ) -> Result<Ensemble, Vec<Problem>> {
     let sample = Sample::of(&Scene::new(spec)?, plan);
-    let mut runs: Vec<Run> = Vec::new();
-    let mut cancelled = false;
+    grown(spec, controls, plan, (sample, Vec::new()), progress, finished)
+}
+
+/// The same from the first runs of a sample on, where some are made.
+///
+/// # Errors
+/// What is wrong with the scene or the controls.
+pub(super) fn grown(
+    spec: &SceneSpec,
+    controls: &Controls,
+    plan: &Plan,
+    (sample, mut runs): (Sample, Vec<Run>),
+    progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
+    finished: &(dyn Fn(usize, &Run) + Sync),
+) -> Result<Ensemble, Vec<Problem>> {
+    let (mut whole, mut cancelled) = (0, false);
     loop {
-        let goal = sample.goal(runs.len());
-        if goal <= runs.len() {
+        let goal = sample.goal(whole);
+        if goal <= whole {
             break;
         }
+        whole = goal;
         let list: Vec<usize> = (runs.len()..goal).collect();
         let tell =
             |run: usize, inner| progress(EnsembleProgress { done: run, planned: goal, run, inner });

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Exactness {
-    /// Quick runs, their bias taken out by a few standard ones; one or two runs are standard ones.
+    /// Quick runs, as slow as it takes for a mean known to 1 %; one or two runs are standard ones.
     Auto,
     /// All quick.
     Quick,

@@ -59,12 +59,16 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
         .with("blocks", if anchored { blocks_word(layout.blocks) } else { REPEATED }, REPEATED)
         .given("field", (anchored && layout.blocks == Blocks::Single).then_some(SINGLE))
         .given("to_aim", controls.to_aim.then_some(true))
+        .given("members", plan.auto.then_some(AUTO))
         .finish()
 }
 
 /// How a single block is found and its field stepped. Raise it with what changes the numbers of single blocks
 /// alone: their kept checks are stale then, and no others.
 const SINGLE: u32 = 2;
+
+/// How members are made where the ensemble chooses, see [`super::paired`]. Raise it with what changes these alone.
+const AUTO: u32 = 2;
 
 /// What blocks are taken for where nothing else is said.
 const REPEATED: &str = "repeated";

@@ -79,7 +79,7 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "N", help_heading = "Runs")]
     threads: Option<NonZeroUsize>,
     /// Aim: errors of a run within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself; auto:
-    /// quick runs, their bias taken out by a few standard ones, for a mean known to 1 %.
+    /// quick runs, as slow as it takes for a mean known to 1 %.
     #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Exactness::ALL), help_heading = "Accuracy")]
     fidelity: Exactness,
     /// Factor on the time step; what is beyond the stability bound is refused.
