@@ -16,14 +16,12 @@ enum Like {
 /// Check over forecast by the derived and by the published method, F and delta.
 type Row = (f64, Like, usize, [[f64; 2]; 2], [[f64; 2]; 2]);
 
-/// Narrower ranges first.
+/// Narrower ranges first. That of mirrored blocks is of few layouts.
 #[rustfmt::skip]
-const TABLE: [Row; 5] = [
-    (0.25, Like::Centred, 92, [[0.966, 1.042], [1.001, 1.052]], [[0.850, 1.020], [0.957, 1.052]]),
-    (0.25, Like::Repeated, 68, [[0.890, 1.052], [0.977, 1.074]], [[0.804, 1.181], [0.912, 1.090]]),
-    (0.50, Like::Centred, 53, [[0.972, 1.064], [1.003, 1.072]], [[0.806, 1.004], [0.914, 1.012]]),
-    (0.50, Like::Repeated, 40, [[0.828, 1.062], [0.954, 1.069]], [[0.654, 1.154], [0.884, 1.057]]),
-    (0.50, Like::Mirrored, 17, [[0.823, 1.021], [0.955, 1.050]], [[0.531, 0.892], [0.883, 1.039]]),
+const TABLE: [Row; 3] = [
+    (0.50, Like::Centred, 28, [[0.972, 1.048], [1.002, 1.052]], [[0.821, 1.015], [0.900, 1.020]]),
+    (0.50, Like::Repeated, 24, [[0.958, 1.061], [0.985, 1.075]], [[0.651, 1.145], [0.906, 1.060]]),
+    (0.50, Like::Mirrored, 8, [[0.959, 1.047], [1.022, 1.066]], [[0.573, 0.831], [0.920, 1.022]]),
 ];
 
 /// How far the size of a layout that is farthest out is beyond its range, as a part; 0 inside.
@@ -96,30 +94,29 @@ mod tests {
 
     #[test]
     fn what_was_measured_is_told_by_method_arrangement_and_distance() {
-        // 5.4 m is 20 % beyond 4.5 m, 6.3 m 40 %, 7 m 56 %; 0.12 m of plate are 33 % below 0.16 m.
+        // 5.4 m is 20 % beyond 4.5 m, 6.3 m 40 %, 7 m 56 %; 0.12 m of plate are 33 % below 0.16 m, 0.1 m 60 %.
         let derived = Layout { method: MethodChoice::Derived, spacing: 5.4, ..REFERENCE };
-        assert_eq!(force(derived), [0.966, 1.042]);
-        assert_eq!(force(Layout { plate: 0.12, ..derived }), [0.972, 1.064]);
-        assert_eq!(force(Layout { method: MethodChoice::Published, ..derived }), [0.850, 1.020]);
+        assert_eq!(force(derived), [0.972, 1.048]);
+        assert_eq!(force(Layout { plate: 0.12, ..derived }), [0.972, 1.048]);
+        assert_eq!(outside(Layout { plate: 0.1, ..derived }), Outside::TooFar);
+        assert_eq!(force(Layout { method: MethodChoice::Published, ..derived }), [0.821, 1.015]);
         assert_eq!(outside(Layout { spacing: 7.0, ..derived }), Outside::TooFar);
         let off = Layout { ex: 0.9, spacing: 6.3, ..derived };
-        assert_eq!(force(Layout { blocks: Blocks::Repeated, ..off }), [0.828, 1.062]);
-        assert_eq!(force(Layout { blocks: Blocks::Mirrored, ..off }), [0.823, 1.021]);
+        assert_eq!(force(Layout { blocks: Blocks::Repeated, ..off }), [0.958, 1.061]);
+        assert_eq!(force(Layout { blocks: Blocks::Mirrored, ..off }), [0.959, 1.047]);
         let paper = Layout { method: MethodChoice::Published, ..off };
-        assert_eq!(force(Layout { blocks: Blocks::Paper, ..paper }), [0.654, 1.154]);
-        assert_eq!(force(Layout { blocks: Blocks::Worst, ..paper }), [0.531, 0.892]);
-        // Of facing blocks less far out was not measured by itself: the wider record stands.
-        assert_eq!(force(Layout { blocks: Blocks::Mirrored, spacing: 5.0, ..off }), [0.823, 1.021]);
+        assert_eq!(force(Layout { blocks: Blocks::Paper, ..paper }), [0.651, 1.145]);
+        assert_eq!(force(Layout { blocks: Blocks::Worst, ..paper }), [0.573, 0.831]);
     }
 
     #[test]
     fn the_warning_has_the_figures_short_and_long() {
         let layout = Layout { method: MethodChoice::Derived, spacing: 6.3, ..REFERENCE };
         let warnings = of(layout).warnings;
-        assert_eq!(warnings[0].short(Units::METRES), "L > 4.5 m: check x0.97-1.06");
+        assert_eq!(warnings[0].short(Units::METRES), "L > 4.5 m: check x0.97-1.05");
         assert!(
             warnings[0].sentence(Units::METRES).ends_with(
-                "the values are extrapolated: in ranges wider by 50 % checks gave 0.97 to 1.06 of such a force and 1.00 to 1.07 of such a deflection (middle 80 % of 53 layouts)"
+                "the values are extrapolated: in ranges wider by 50 % checks gave 0.97 to 1.05 of such a force and 1.00 to 1.05 of such a deflection (middle 80 % of 28 layouts)"
             ),
             "{}",
             warnings[0].sentence(Units::METRES)
