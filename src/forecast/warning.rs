@@ -283,7 +283,7 @@ impl Warning {
             Warning::OtherWires => "method of other wires".into(),
             Warning::DefaultRatios => "ratios of another mesh assumed".into(),
             Warning::BorrowedMap => "offset map of another mesh".into(),
-            Warning::OneBlock => format!("one block: check delta x{low:.1}-{high:.1}"),
+            Warning::OneBlock => format!("one block: delta x{low:.1}-{high:.1}"),
             Warning::PanelConverted { .. } => "laboratory panel converted".into(),
             Warning::ReferencePoint { .. } => "0.93 F_a* here, as published".into(),
             Warning::ExampleMesh => "example mesh, not a product".into(),
