@@ -374,7 +374,7 @@ impl Warning {
                 "this mesh has no runs of blocks that stand like this: what the offset does is taken from the double-twist reference, and may differ".into()
             }
             Warning::OneBlock => format!(
-                "the relations are of a block in every cell: for one block alone checks of eight layouts gave {} to {} of their force and {} to {} of their deflection, and only a check knows it",
+                "the relations are of a block in every cell: for one block alone checks of eight layouts of the reference mesh gave {} to {} of their force and {} to {} of their deflection, and only a check knows it",
                 ONE_BLOCK_FORCE[0], ONE_BLOCK_FORCE[1], ONE_BLOCK_DEFLECTION[0], ONE_BLOCK_DEFLECTION[1],
             ),
             Warning::PanelConverted { panel } => format!(

@@ -4,7 +4,7 @@ use super::super::remark::CheckFlag;
 use super::super::result::CheckResult;
 use super::{Aspect, Basis, Checked, Judge, Simulated, State, Verdict, VerdictRemark};
 use crate::case::{Case, CasePoint, CaseValue, Derived, NoValue};
-use crate::forecast::warning::extrapolated;
+use crate::forecast::warning::{Warning, extrapolated};
 use crate::forecast::{Field, Forecast, NoField};
 use crate::mesh::adopted::Adopted;
 use crate::problem::Problem;
@@ -23,6 +23,8 @@ pub struct Forecasted {
     field: Result<Field, &'static str>,
     /// Whether its numbers are extrapolated.
     extrapolated: bool,
+    /// Whether it is of one block alone by relations of a block in every cell.
+    of_many: bool,
 }
 
 /// Why there is no panel to judge by.
@@ -31,14 +33,18 @@ const SENSELESS: &str = "the sizes make no sense";
 impl Forecasted {
     /// No forecast, and why.
     pub(crate) fn none(why: &'static str) -> Forecasted {
-        Forecasted { field: Err(why), extrapolated: false }
+        Forecasted::new(Err(why), &[])
+    }
+
+    fn new(field: Result<Field, &'static str>, warnings: &[Warning]) -> Forecasted {
+        let of_many = warnings.contains(&Warning::OneBlock);
+        Forecasted { field, extrapolated: extrapolated(warnings), of_many }
     }
 }
 
 impl From<&Forecast> for Forecasted {
     fn from(forecast: &Forecast) -> Forecasted {
-        let extrapolated = forecast.extrapolated();
-        Forecasted { field: forecast.field.map_err(NoField::reason), extrapolated }
+        Forecasted::new(forecast.field.map_err(NoField::reason), &forecast.warnings)
     }
 }
 
@@ -46,14 +52,14 @@ impl From<&Result<Derived, Vec<Problem>>> for Forecasted {
     fn from(derived: &Result<Derived, Vec<Problem>>) -> Forecasted {
         match derived {
             Ok(derived) => Forecasted::from(&derived.forecast),
-            Err(_) => Forecasted { field: Err(SENSELESS), extrapolated: false },
+            Err(_) => Forecasted::none(SENSELESS),
         }
     }
 }
 
 impl From<&CasePoint> for Forecasted {
     fn from(point: &CasePoint) -> Forecasted {
-        Forecasted { field: Ok(point.field), extrapolated: extrapolated(&point.warnings) }
+        Forecasted::new(Ok(point.field), &point.warnings)
     }
 }
 
@@ -61,10 +67,8 @@ impl From<&CaseValue> for Forecasted {
     fn from(outcome: &CaseValue) -> Forecasted {
         match outcome {
             Ok(point) => Forecasted::from(point),
-            Err(NoValue::Outside(why)) => {
-                Forecasted { field: Err(why.reason()), extrapolated: false }
-            }
-            Err(NoValue::Senseless(_)) => Forecasted { field: Err(SENSELESS), extrapolated: false },
+            Err(NoValue::Outside(why)) => Forecasted::none(why.reason()),
+            Err(NoValue::Senseless(_)) => Forecasted::none(SENSELESS),
         }
     }
 }
@@ -246,6 +250,9 @@ fn remarks(case: &Case, forecast: &Forecasted, simulated: Simulated) -> Vec<Verd
     }
     if forecast.extrapolated {
         remarks.push(VerdictRemark::Extrapolated);
+    }
+    if forecast.of_many && !matches!(simulated, Simulated::Current(_)) {
+        remarks.push(VerdictRemark::OneBlock);
     }
     match simulated {
         Simulated::Missing => {}

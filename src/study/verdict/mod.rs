@@ -224,6 +224,8 @@ pub enum VerdictRemark {
     WideLaws,
     /// The check is of a single block in a field that is too small.
     Unsettled,
+    /// A single block without a check, by relations of a block in every cell.
+    OneBlock,
 }
 
 impl VerdictRemark {
@@ -236,6 +238,7 @@ impl VerdictRemark {
             VerdictRemark::Extrapolated => "extrapolated",
             VerdictRemark::WideLaws => "wide_laws",
             VerdictRemark::Unsettled => "check_not_converged",
+            VerdictRemark::OneBlock => "one_block_by_relations_of_many",
         }
     }
 
@@ -247,6 +250,12 @@ impl VerdictRemark {
         }
     }
 
+    /// Whether it makes any pass a doubtful one, however far from the limit: the laws of an adopted mesh, which is
+    /// asked for, and a single block, whose deflection is up to 1.7 times the forecast's.
+    fn never_plain(self) -> bool {
+        matches!(self, VerdictRemark::WideLaws | VerdictRemark::OneBlock)
+    }
+
     /// A few words for a narrow panel.
     pub(crate) fn short(self) -> &'static str {
         match self {
@@ -256,6 +265,7 @@ impl VerdictRemark {
             VerdictRemark::Extrapolated => "extrapolated",
             VerdictRemark::WideLaws => "law of the mesh uncertain",
             VerdictRemark::Unsettled => "check not converged",
+            VerdictRemark::OneBlock => "one block: check it",
         }
     }
 
@@ -270,6 +280,9 @@ impl VerdictRemark {
             VerdictRemark::Extrapolated => "the forecast is extrapolated",
             VerdictRemark::Unsettled => {
                 "the check of a single block is not converged; in a larger field it would take less"
+            }
+            VerdictRemark::OneBlock => {
+                "a single block is forecast as if there were one in every cell; without a check it is never a plain pass"
             }
             VerdictRemark::WideLaws => {
                 "the laws that fit the tests of this mesh differ by more than 15 %; more data would narrow them"
@@ -369,7 +382,7 @@ impl Verdict {
             Finding::NotJudged
         } else if !any(|s| s == State::Pass) {
             Finding::NotAsked
-        } else if self.remarks.contains(&VerdictRemark::WideLaws)
+        } else if self.remarks.iter().any(|r| r.never_plain())
             || caution && self.largest_use() > Some(NEAR_LIMIT)
         {
             Finding::Doubtful

@@ -199,6 +199,26 @@ fn the_larger_use_of_forecast_and_check_counts() {
     assert!((check_only.usage[0].unwrap() - 1.25).abs() < 1e-12);
 }
 
+/// Seen: the deflection of a block alone passed at 60 % of what is allowed, by relations of a block in every cell; a
+/// check gave half as much more.
+#[test]
+fn a_single_block_without_a_check_is_never_a_plain_pass() {
+    use crate::layout::Blocks;
+    let mut case = job(3.0);
+    case.question = Question { force: Some(1000.0), deflection: Some(0.6), ..Question::default() };
+    assert_eq!(judged(&case, Basis::Mean).finding(), Finding::Passes);
+    case.layout.blocks = Blocks::Single;
+    let of_many = &[VerdictRemark::OneBlock][..];
+    let v = judged(&case, Basis::Mean);
+    assert_eq!((v.finding(), v.remarks.as_slice()), (Finding::Doubtful, of_many));
+    assert!(v.largest_use() < Some(0.5), "{:?}", v.largest_use());
+    // Its own check ends that, a stale one does not.
+    let checked = check(24.0, [22.0, 26.0], 8);
+    let v = with(&case, Simulated::Current(&checked), Basis::Mean);
+    assert_eq!((v.finding(), v.remarks.len()), (Finding::Passes, 0));
+    assert_eq!(with(&case, Simulated::Stale, Basis::Mean).finding(), Finding::Doubtful);
+}
+
 #[test]
 fn a_stale_check_does_not_count_and_is_said() {
     let v = with(&job(1.86), Simulated::Stale, Basis::Mean);
