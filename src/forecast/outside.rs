@@ -13,15 +13,18 @@ enum Like {
     Mirrored,
 }
 
-/// Check over forecast by the derived and by the published method, F and delta.
-type Row = (f64, Like, usize, [[f64; 2]; 2], [[f64; 2]; 2]);
+/// By how much the ranges were wider.
+const WIDER: f64 = 0.5;
 
-/// Narrower ranges first. That of mirrored blocks is of few layouts.
+/// Layouts, and check over forecast by the derived and by the published method, F and delta.
+type Row = (Like, usize, [[f64; 2]; 2], [[f64; 2]; 2]);
+
+/// That of mirrored blocks is of few layouts.
 #[rustfmt::skip]
 const TABLE: [Row; 3] = [
-    (0.50, Like::Centred, 28, [[0.972, 1.048], [1.002, 1.052]], [[0.821, 1.015], [0.900, 1.020]]),
-    (0.50, Like::Repeated, 24, [[0.958, 1.061], [0.985, 1.075]], [[0.651, 1.145], [0.906, 1.060]]),
-    (0.50, Like::Mirrored, 8, [[0.959, 1.047], [1.022, 1.066]], [[0.573, 0.831], [0.920, 1.022]]),
+    (Like::Centred, 28, [[0.972, 1.048], [1.002, 1.052]], [[0.821, 1.015], [0.900, 1.020]]),
+    (Like::Repeated, 24, [[0.958, 1.061], [0.985, 1.075]], [[0.651, 1.145], [0.906, 1.060]]),
+    (Like::Mirrored, 8, [[0.959, 1.047], [1.022, 1.066]], [[0.573, 0.831], [0.920, 1.022]]),
 ];
 
 /// How far the size of a layout that is farthest out is beyond its range, as a part; 0 inside.
@@ -45,11 +48,11 @@ fn known(layout: &Layout, field: &Field) -> Outside {
         _ if faces => Like::Mirrored,
         _ => Like::Repeated,
     };
-    let far = beyond(layout);
-    let row = TABLE.iter().find(|(wider, of, ..)| *of == like && far <= wider + 1.0e-9);
-    row.map_or(Outside::TooFar, |(wider, _, layouts, derived, published)| {
+    let near = beyond(layout) <= WIDER + 1.0e-9;
+    let row = TABLE.iter().find(|(of, ..)| near && *of == like);
+    row.map_or(Outside::TooFar, |(_, layouts, derived, published)| {
         let [force, deflection] = if field.method.is_some() { *derived } else { *published };
-        Outside::Measured(OutsideRecord { wider: *wider, layouts: *layouts, force, deflection })
+        Outside::Measured(OutsideRecord { wider: WIDER, layouts: *layouts, force, deflection })
     })
 }
 
