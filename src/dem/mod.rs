@@ -58,6 +58,7 @@ pub mod stability;
 pub mod stepper;
 pub mod tensile;
 
+pub(crate) use fidelity::ESTIMATE_ORDER;
 pub use fidelity::{Controls, Fidelity};
 pub use field::Arrangement;
 pub use outcome::{RunOutcome, Stop};

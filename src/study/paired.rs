@@ -13,7 +13,7 @@ use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, counts, membe
 use super::remark::CheckFlag;
 use super::sampling::plan::TARGET;
 use super::sampling::{Kind, Sample};
-use crate::dem::{Controls, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Test};
+use crate::dem::{Controls, ESTIMATE_ORDER, Fidelity, Flow, RunOutcome, Scene, SceneSpec, Test};
 use crate::problem::Problem;
 
 /// Bias of the force of quick runs from scene to scene, and from pair to pair of one scene, of a block on a line
@@ -33,9 +33,6 @@ const FEW: usize = 2;
 const PILOTS: usize = 2;
 /// What may stay unknown of the bias, over the target: a slower punch costs less than more runs do.
 const KNOWN: f64 = 0.55;
-/// Power of the speed that the estimate goes with (1.7 to 1.75 from 1 to 1.3 times the quick speed and down to
-/// 0.65 of it).
-const ORDER: f64 = 1.7;
 
 /// As [`ensemble::run_watched`], with members by the plan's own choice; `controls` are those of the
 /// standard ones.
@@ -128,7 +125,7 @@ fn slowed(
 /// Speed over the quick one at which no more than [`KNOWN`] of the bias stays unknown.
 fn slowness(place: Place, estimates: &[f64]) -> f64 {
     let bias = prior(place, estimates).scenes[0];
-    let order = if place == Place::OffLines { 2.0 * ORDER } else { ORDER };
+    let order = if place == Place::OffLines { 2.0 * ESTIMATE_ORDER } else { ESTIMATE_ORDER };
     (KNOWN * TARGET / bias.max(f64::MIN_POSITIVE)).powf(1.0 / order).min(1.0)
 }
 
