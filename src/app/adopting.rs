@@ -1,7 +1,7 @@
 //! A mesh adopted from its own tests: its form, the work behind the screen, and what comes of it.
 
 use super::adopt_form::{self, Typed, typed};
-use super::mesh_form::Refusal;
+use super::mesh_form::{Refusal, first, of_rows};
 use super::message::Command;
 use super::{App, Mode};
 use crate::job::adoption::AdoptJob;
@@ -28,7 +28,7 @@ impl App {
     pub(super) fn take_adopt_form(&mut self) -> Vec<Command> {
         let unit = self.units();
         let Some(form) = self.screen.mesh_form() else { return Vec::new() };
-        let typed = typed(form, unit).map_err(|wrong| wrong.into_iter().next().unwrap_or_default());
+        let typed = typed(form, unit).map_err(first);
         match typed.and_then(|typed| self.adoption(typed)) {
             Ok(job) => {
                 let id = job.words.id.clone();
@@ -71,7 +71,7 @@ impl App {
                 form.refuse(field, why);
             }
         } else {
-            self.complain(problem.to_string().replace("--", ""));
+            self.complain(of_rows(&problem.to_string()));
         }
     }
 
@@ -89,11 +89,8 @@ impl App {
         match self.editor.adopt_mesh(uid, mesh) {
             Ok(said) => {
                 self.screen.forget_form();
-                // They were made for the command line, whose flags are the rows of the form.
-                let remarks: Vec<String> = remarks
-                    .iter()
-                    .map(|remark| format!("; {}", remark.replace("--", "")))
-                    .collect();
+                let remarks: Vec<String> =
+                    remarks.iter().map(|remark| format!("; {}", of_rows(remark))).collect();
                 self.inform(format!("{said}; Ctrl+S saves it{}", remarks.concat()));
             }
             Err(why) => self.complain(why),

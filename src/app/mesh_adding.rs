@@ -2,7 +2,7 @@
 
 use super::adopt_form;
 use super::keymap::Action;
-use super::mesh_form::FormKind;
+use super::mesh_form::{FormKind, first};
 use super::message::Command;
 use super::{App, Mode};
 
@@ -27,7 +27,7 @@ impl App {
         if form.kind == FormKind::Tests {
             return self.take_adopt_form();
         }
-        let checked = form.mesh(unit).map_err(|wrong| wrong.into_iter().next().unwrap_or_default());
+        let checked = form.mesh(unit).map_err(first);
         match checked.and_then(|mesh| self.editor.add_mesh(mesh).map_err(|why| ("id", why))) {
             Ok(said) => {
                 self.screen.show(Mode::Main);

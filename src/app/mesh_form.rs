@@ -32,6 +32,22 @@ pub(super) fn or_told<T: Default>(got: Result<T, Refusal>, wrong: &mut Vec<Refus
     })
 }
 
+/// What is told first of what is wrong, of which there is something.
+pub(super) fn first(wrong: Vec<Refusal>) -> Refusal {
+    wrong.into_iter().next().unwrap_or_default()
+}
+
+/// Words made for the command line, whose flags are the rows of a form: without the signs that mark flags there. What
+/// stands within a word, such as a file's name, is left alone.
+pub(super) fn of_rows(text: &str) -> String {
+    let words = text.split(' ').map(|word| {
+        let opening = word.len() - word.trim_start_matches(['(', '"', '`']).len();
+        let (opening, rest) = word.split_at(opening);
+        format!("{opening}{}", rest.strip_prefix("--").unwrap_or(rest))
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// What a form is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FormKind {
@@ -129,7 +145,7 @@ impl MeshForm {
     /// A problem as a refusal; that of no row is put to the first. Its flag is the row's, and no word for the screen.
     pub(super) fn refusal(&self, problem: &Problem) -> Refusal {
         let field = self.rows()[self.row_of(&problem.field).unwrap_or(0)].field;
-        (field, problem.to_string().replace("--", ""))
+        (field, of_rows(&problem.to_string()))
     }
 
     /// What is wrong, the first row's first; of a row what was found first.
@@ -193,5 +209,18 @@ impl MeshForm {
         let ranges = mesh.check().err().unwrap_or_default();
         wrong.extend(ranges.iter().map(|problem| self.refusal(problem)));
         if wrong.is_empty() { Ok(mesh) } else { Err(self.in_order(wrong)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_rows;
+
+    #[test]
+    fn the_signs_of_flags_go_and_names_of_files_stay() {
+        let said =
+            "--curve: a--b.csv: not there; which bond broke (--breaks) or \"--force\" would tell";
+        let told = "curve: a--b.csv: not there; which bond broke (breaks) or \"force\" would tell";
+        assert_eq!(of_rows(said), told);
     }
 }
