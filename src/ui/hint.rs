@@ -6,7 +6,7 @@ use super::text::{clear, cut, put, put_right, width};
 use super::theme::Theme;
 use crate::app::entry::{EditTarget, LineEntry};
 use crate::app::keymap;
-use crate::app::{App, Level, Mode, Status};
+use crate::app::{App, Level, Mode};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
@@ -45,10 +45,15 @@ pub(crate) fn bottom(
     theme: &Theme,
 ) -> Option<Position> {
     if let Mode::Entry(entry) = app.mode() {
+        // The value that is refused stands in its own row.
+        if let (Some(error), EditTarget::Value(_)) = (&entry.error, entry.target) {
+            message(Level::Error, error, (row, roomy), buf, theme);
+            return None;
+        }
         return prompt(app, entry, row, buf, theme);
     }
     if let Some(status) = app.status() {
-        message(status, row, roomy, buf, theme);
+        message(status.level, &status.text, (row, roomy), buf, theme);
         return None;
     }
     if let Some(text) = check::progress(app) {
@@ -61,21 +66,21 @@ pub(crate) fn bottom(
 
 /// Draws a message, until the next key. One that is too long for its line takes some of those above it. On a small
 /// screen, where the answer stands there, only what was refused does.
-fn message(status: &Status, row: Rect, roomy: bool, buf: &mut Buffer, theme: &Theme) {
-    let (style, head) = match status.level {
+fn message(level: Level, said: &str, (row, roomy): (Rect, bool), buf: &mut Buffer, theme: &Theme) {
+    let (style, head) = match level {
         Level::Info => (theme.title, " "),
         Level::Error => (theme.error, " ! "),
     };
-    let text = format!("{head}{}", status.text);
+    let text = format!("{head}{said}");
     let columns = usize::from(row.width);
-    let most = if roomy || status.level == Level::Error { MESSAGE_LINES } else { 1 };
+    let most = if roomy || level == Level::Error { MESSAGE_LINES } else { 1 };
     if width(&text) <= row.width || most == 1 {
         put(buf, row, 0, 0, &cut(&text, columns), style);
         return;
     }
     let indent = " ".repeat(head.len());
     let options = textwrap::Options::new(columns).initial_indent(head).subsequent_indent(&indent);
-    let mut lines = textwrap::wrap(&status.text, options);
+    let mut lines = textwrap::wrap(said, options);
     if lines.len() > most {
         // The rest is told to be there.
         let rest = lines.split_off(most - 1).join(" ");
@@ -105,7 +110,7 @@ fn hints(app: &App, row: Rect, buf: &mut Buffer, theme: &Theme) {
     }
 }
 
-/// The line of text being typed, or for a value its range and what was wrong.
+/// The line of text being typed, or for a value its range.
 fn prompt(
     app: &App,
     entry: &LineEntry,
@@ -115,15 +120,8 @@ fn prompt(
 ) -> Option<Position> {
     if let Some(error) = &entry.error {
         // A refused command or name still shows its text: the reason stands before it.
-        let text = format!(" ! {error} ");
-        let room = match entry.target {
-            EditTarget::Value(_) => usize::from(row.width),
-            _ => usize::from(row.width) * 2 / 3,
-        };
-        let end = put(buf, row, 0, 0, &cut(&text, room), theme.error);
-        if matches!(entry.target, EditTarget::Value(_)) {
-            return None;
-        }
+        let room = usize::from(row.width) * 2 / 3;
+        let end = put(buf, row, 0, 0, &cut(&format!(" ! {error} "), room), theme.error);
         let rest = Rect { x: row.x + end, width: row.width.saturating_sub(end), ..row };
         return typed_text(entry, rest, buf, theme);
     }
