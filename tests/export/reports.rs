@@ -213,3 +213,45 @@ fn the_report_says_by_which_method_a_layout_is_forecast() {
     let (html, markdown) = text(&project("pol-gabrieli-2021"));
     assert!(!html.contains("Derived methods.") && !markdown.contains("Derived methods."));
 }
+
+/// What the styles promise, on paper: `cargo test --test export -- --ignored printed`, where there are `chromium` and `pdftotext`.
+#[test]
+#[ignore = "prints with a browser"]
+fn the_short_form_has_one_printed_page_a_layout_and_the_verdicts_on_the_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut project = super::sample("road-cut.ron");
+    let one = project.layouts.clone();
+    let named = |k: usize| NamedLayout { name: format!("bench {k}"), ..one[k % 5].clone() };
+    for count in [5, 24] {
+        project.layouts = (0..count).map(named).collect();
+        let cases = good(&project);
+        let [page, pdf] = ["r.html", "r.pdf"].map(|name| folder.path().join(name));
+        std::fs::write(&page, Report { short: true, ..report(&project, &cases, &[]) }.html())
+            .unwrap();
+        let printed = std::process::Command::new("chromium")
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"])
+            .arg(format!("--print-to-pdf={}", pdf.display()))
+            .arg(&page)
+            .output()
+            .expect("a chromium");
+        assert!(printed.status.success(), "{printed:?}");
+        let pages = |last: &str| {
+            let to_text = ["-f", "1", "-l", last];
+            let made = std::process::Command::new("pdftotext")
+                .args(to_text)
+                .args([pdf.as_os_str(), "-".as_ref()])
+                .output()
+                .expect("a pdftotext");
+            let text = String::from_utf8(made.stdout).unwrap();
+            text.split_terminator('\u{c}').map(str::to_string).collect::<Vec<_>>()
+        };
+        assert!(pages("1")[0].contains("Verdict") && pages("1")[0].contains("bench 4"));
+        let all = pages("99");
+        let first =
+            all.iter().position(|page| page.contains("1. bench 0")).expect("a first layout");
+        assert_eq!(all.len(), first + count, "pages of {count} layouts");
+        for (k, page) in all[first..].iter().enumerate() {
+            assert!(page.contains(&format!("{}. bench {k}", k + 1)), "page of layout {k}: {page}");
+        }
+    }
+}
