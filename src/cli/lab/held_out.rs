@@ -95,8 +95,8 @@ fn text(plan: &HeldOutPlan, table: &HeldOutTable) -> String {
     t.push_str("\n\ncheck over forecast: 10, 50, 90 % of the layouts\n");
     let _ = writeln!(
         t,
-        "{:<32}{:>4}   {:<20}{:<20}   {:<20}{:<20}",
-        "", "n", "derived F", "derived delta", "published F", "published delta"
+        "{:<32}{:>4}   {:<20}{:<20}   {:<20}published delta",
+        "", "n", "derived F", "derived delta", "published F"
     );
     for part in table.parts() {
         let three = |v: [f64; 3]| match part.n {
