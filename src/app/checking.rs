@@ -3,7 +3,6 @@
 use super::App;
 use super::message::Command;
 use super::settings::SettingItem;
-use crate::units::significant;
 
 impl App {
     /// Orders the check of the selected layout, or of all.
@@ -41,8 +40,7 @@ impl App {
     pub(super) fn next_fidelity(&mut self) -> Vec<Command> {
         let word = self.settings().neighbour(SettingItem::Fidelity, true);
         let commands = self.choose(SettingItem::Fidelity, word);
-        let aim = significant(100.0 * self.settings().fidelity.fidelity().aim(), 1);
-        self.inform(format!("checks are {word}: errors within {aim} %"));
+        self.inform(format!("checks are {word}: {}", self.settings().fidelity.about()));
         commands
     }
 }

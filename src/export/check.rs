@@ -127,6 +127,9 @@ fn notes(
             v.breaks.len()
         ));
     }
+    // The label has the word alone.
+    let auto = v.wanted.fidelity.auto();
+    notes.extend(auto.then(|| format!("fidelity {}", v.wanted.fidelity_said())));
     notes.push(quality(&v.quality));
     notes.extend(v.remarks().iter().map(|remark| remark.sentence(unit)));
     let runs = v.wanted.runs.map_or(String::new(), |n| format!(" --runs {n}"));

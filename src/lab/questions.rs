@@ -11,6 +11,7 @@ use crate::dem::{Controls, Fidelity, Flow, REVISION, SceneSpec, Stop, Test};
 use crate::layout::{Layout, REFERENCE};
 use crate::mesh::laws;
 use crate::problem::Problem;
+use crate::study::bias;
 use crate::study::clock::thread_seconds;
 use crate::study::ensemble::{Ensemble, Plan, Run, Spread, counts};
 use crate::study::exactness::Exactness;
@@ -104,7 +105,7 @@ impl PairTable {
     /// Root mean square of what the rows of a test have, over their estimates.
     pub(crate) fn over_estimate(&self, test: &str, of: &dyn Fn(&PairRow) -> f64) -> f64 {
         let rows = self.rows.iter().filter(|r| r.test == test);
-        let most = 100.0 * paired::MOST_ESTIMATE;
+        let most = 100.0 * bias::MOST_ESTIMATE;
         let squares: Vec<f64> = rows.map(|r| (of(r) / r.estimate_pct.min(most)).powi(2)).collect();
         (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
     }

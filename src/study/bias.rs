@@ -1,5 +1,8 @@
 //! What is taken out of quick members of an ensemble.
 
+/// Error estimate of a run above which it tells no more of the bias: that of a small block is far above.
+pub(crate) const MOST_ESTIMATE: f64 = 0.2;
+
 /// What standard runs give over quick ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Bias {

@@ -1,6 +1,7 @@
 //! How exactly the runs of an ensemble compute.
 
 use crate::dem::Fidelity;
+use crate::units::significant;
 use crate::words::Choice;
 use serde::{Deserialize, Serialize};
 
@@ -9,11 +10,11 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "lowercase")]
 pub enum Exactness {
     /// Quick runs, as slow as it takes for a mean known to 1 %; one or two runs are standard ones.
+    #[default]
     Auto,
     /// All quick.
     Quick,
     /// All standard.
-    #[default]
     Standard,
     /// All fine.
     Fine,
@@ -61,6 +62,16 @@ impl Exactness {
             Exactness::Auto | Exactness::Standard => Fidelity::Standard,
             Exactness::Fine => Fidelity::Fine,
             Exactness::Reference => Fidelity::Reference,
+        }
+    }
+
+    /// What it aims at, in a few words.
+    pub(crate) fn about(self) -> String {
+        match self {
+            Exactness::Auto => "as slow as it takes for a mean known to 1 %".into(),
+            other => {
+                format!("errors within {} %", significant(100.0 * other.fidelity().aim(), 1))
+            }
         }
     }
 

@@ -5,10 +5,11 @@
 //! either. What it is differs from scene to scene, by as much as a quick run's own error estimate is large
 //! ([`Prior`]). So the first two members ([`PILOTS`]) set the speed of the others: as much slower as it takes for
 //! an estimate that leaves [`KNOWN`] of the bias unknown. Where the target cannot be met so, some members are
-//! made again at standard fidelity, and what these give over the quick ones multiplies all. One or two runs, and
-//! runs of one given alignment, are standard ones.
+//! made again at standard fidelity, and what these give over the quick ones multiplies all. Standard ones are all
+//! members where the estimates tell nothing of the bias, as of small blocks, one or two runs, and runs of a given
+//! alignment, speed, damping or to their aim.
 
-use super::bias::{Bias, Prior};
+use super::bias::{Bias, MOST_ESTIMATE, Prior};
 use super::ensemble::{self, Ensemble, EnsembleProgress, Plan, Run, counts, members, summary};
 use super::remark::CheckFlag;
 use super::sampling::plan::TARGET;
@@ -25,8 +26,6 @@ const OFF_LINES: [f64; 2] = [1.1, 0.12];
 const LABORATORY: [f64; 2] = [0.36, 0.14];
 /// Bias of the deflection over that of the force.
 const OF_DEFLECTION: f64 = 0.5;
-/// Estimate above which it tells no more of the bias: that of a small block is far above.
-pub(crate) const MOST_ESTIMATE: f64 = 0.2;
 /// Runs asked for up to which all are standard ones.
 const FEW: usize = 2;
 /// Members that set the speed of the others.
@@ -46,8 +45,7 @@ pub(crate) fn run_watched(
     progress: &(dyn Fn(EnsembleProgress) -> Flow + Sync),
     finished: &(dyn Fn(usize, &Run) + Sync),
 ) -> Result<Ensemble, Vec<Problem>> {
-    let few = plan.runs.is_some_and(|n| n <= FEW);
-    if few || !plan.auto || plan.phase.is_some() {
+    if run_fidelity(controls, plan).is_some() {
         return ensemble::run_watched(spec, controls, plan, progress, finished);
     }
     let quick = Controls { fidelity: Fidelity::Quick, ..controls.clone() };
@@ -58,13 +56,17 @@ pub(crate) fn run_watched(
         progress(EnsembleProgress { done: run, planned, run, inner })
     };
     let list: Vec<usize> = (0..PILOTS).collect();
-    let pilots = members(spec, &quick, &sample, &list, plan.threads, &tell, finished)?;
+    let pilots = members(spec, &quick, &sample, &list, plan.threads, &tell, &|_, _| {})?;
     if pilots.cancelled {
         let mut cut = summary(pilots.runs.into_iter().map(|(_, run)| run).collect(), sample);
         cut.flags.push(CheckFlag::Cancelled);
         return Ok(cut);
     }
     let runs: Vec<Run> = pilots.runs.into_iter().map(|(_, run)| run).collect();
+    if sample.kind == Kind::Lattice && untold(&estimates(&runs)) {
+        return ensemble::run_watched(spec, controls, plan, progress, finished);
+    }
+    runs.iter().enumerate().for_each(|(k, run)| finished(k, run));
     let quick = slowed(spec, quick, controls, (place, &sample, &runs))?;
     let found = ensemble::grown(spec, &quick, plan, (sample, runs), progress, finished)?;
     let n = found.runs.len();
@@ -105,6 +107,16 @@ pub(crate) fn run_watched(
     }
 }
 
+/// The fidelity of each run of an ensemble under these controls, which are those of a standard one where it might
+/// choose; nothing where it does choose.
+pub(crate) fn run_fidelity(controls: &Controls, plan: &Plan) -> Option<Fidelity> {
+    let few = plan.runs.is_some_and(|n| n <= FEW);
+    // What is known of the bias is that of the quick fidelity's own speed and damping.
+    let by_hand = controls.speed.is_some() || controls.damping.is_some() || controls.to_aim;
+    let fixed = !plan.auto || few || by_hand || plan.phase.is_some();
+    fixed.then_some(controls.fidelity)
+}
+
 /// The controls of the members after the pilots: slower where these say so, but not below the standard speed.
 fn slowed(
     spec: &SceneSpec,
@@ -113,13 +125,20 @@ fn slowed(
     (place, sample, pilots): (Place, &Sample, &[Run]),
 ) -> Result<Controls, Vec<Problem>> {
     // On a lattice there are many members, and few pairs beside them cost less.
-    if quick.speed.is_some() || sample.kind != Kind::Patterns {
+    if sample.kind != Kind::Patterns {
         return Ok(quick);
     }
     let scene = Scene::new(spec)?;
     let [own, least] = [quick.scheme(&scene)?.travel, standard.scheme(&scene)?.travel];
     let factor = slowness(place, &estimates(pilots));
     Ok(Controls { speed: Some((own * factor).max(least.min(own))), ..quick })
+}
+
+/// Whether these estimates tell nothing of the bias: then it also differs so much from run to run that half of them
+/// made again would not take it out.
+fn untold(estimates: &[f64]) -> bool {
+    let n = estimates.len().max(1) as f64;
+    estimates.iter().sum::<f64>() / n > MOST_ESTIMATE
 }
 
 /// Speed over the quick one at which no more than [`KNOWN`] of the bias stays unknown.
@@ -254,6 +273,47 @@ mod tests {
         // After it the estimate is 10 % times factor^1.7, and the bias 1.1 times its square what may be unknown.
         let left = 1.1 * (0.1 * factor.powf(1.7)).powi(2);
         assert!((left - 0.0055).abs() < 1e-12, "{left}");
+    }
+
+    #[test]
+    fn runs_that_nothing_is_known_of_are_standard_ones() {
+        let own = Controls::default();
+        let auto = Plan { auto: true, ..Plan::default() };
+        let standard = Some(Fidelity::Standard);
+        assert_eq!(run_fidelity(&own, &auto), None);
+        assert_eq!(run_fidelity(&own, &Plan::default()), standard);
+        assert_eq!(run_fidelity(&own, &Plan { runs: Some(3), ..auto.clone() }), None);
+        for plan in
+            [Plan { runs: Some(2), ..auto.clone() }, Plan { phase: Some([0.0; 2]), ..auto.clone() }]
+        {
+            assert_eq!(run_fidelity(&own, &plan), standard, "{plan:?}");
+        }
+        for controls in [
+            Controls { speed: Some(1e-4), ..own.clone() },
+            Controls { damping: Some(0.01), ..own.clone() },
+            Controls { to_aim: true, ..own.clone() },
+        ] {
+            assert_eq!(run_fidelity(&controls, &auto), standard, "{controls:?}");
+        }
+    }
+
+    #[test]
+    fn members_of_a_small_block_whose_estimates_tell_nothing_are_standard_ones() {
+        assert!(untold(&[0.15, 0.3]) && !untold(&[0.15, 0.2]));
+        let layout =
+            Layout { plate: 0.21, spacing: 1.75, punch: 0.1, ex: 0.59, ey: 0.52, ..REFERENCE };
+        let spec = SceneSpec::plain(layout, Test::Anchored, laws::reference());
+        let controls = Controls { after_break: 0.0, ..Controls::default() };
+        let told = std::sync::Mutex::new(Vec::new());
+        let make = |auto| {
+            let plan = Plan { runs: Some(3), auto, ..Plan::default() };
+            let finished = |k, _: &Run| told.lock().unwrap().push(k);
+            run_watched(&spec, &controls, &plan, &|_| Flow::Continue, &finished).unwrap()
+        };
+        let (auto, standard) = (make(true), make(false));
+        assert_eq!((auto.force, auto.bias), (standard.force, None));
+        // The two that set the speed are not told of as runs.
+        assert_eq!(told.into_inner().unwrap(), [0, 1, 2, 0, 1, 2]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What a check has to say of itself. A project keeps only the flags of a check; the other remarks follow
 //! from its figures, so that a kept check says the same as one that has just been made.
 
+use super::bias::MOST_ESTIMATE;
 use crate::dem::Fidelity;
 use crate::dem::bifurcation::Probe;
 use crate::dem::estimate::SNAP;
@@ -284,7 +285,8 @@ pub(super) struct Facts<'a> {
     pub(super) force_error: f64,
     /// The worst run's.
     pub(super) error_estimate: f64,
-    /// Of each run; nothing where the force's error has all that is known of it, see [`super::paired`].
+    /// Of each run; nothing where the ensemble chooses it, see [`super::paired`]: then the force's error has what an
+    /// estimate tells, and only one that tells nothing is said.
     pub(super) fidelity: Option<Fidelity>,
 }
 
@@ -306,7 +308,9 @@ impl Facts<'_> {
             list.push(CheckRemark::StandardError(Some(self.force_error)));
         }
         let worst = self.error_estimate;
-        if let Some(fidelity) = self.fidelity.filter(|f| worst.is_finite() && !f.keeps(worst)) {
+        let untold = worst > MOST_ESTIMATE;
+        let fidelity = self.fidelity.or_else(|| untold.then_some(Fidelity::Standard));
+        if let Some(fidelity) = fidelity.filter(|f| worst.is_finite() && !f.keeps(worst)) {
             list.push(CheckRemark::ErrorEstimate(Some((worst, fidelity))));
         }
         if alone {
@@ -374,6 +378,16 @@ mod tests {
                 "one_alignment"
             ]
         );
+    }
+
+    #[test]
+    fn where_the_ensemble_chooses_only_an_estimate_that_tells_nothing_is_said() {
+        let chosen = |error_estimate| {
+            let none: &[CheckFlag] = &[];
+            codes(&Facts { error_estimate, fidelity: None, ..facts(none) })
+        };
+        assert!(chosen(0.19).is_empty());
+        assert_eq!(chosen(0.21), ["error_estimate"]);
     }
 
     #[test]

@@ -100,6 +100,20 @@ mod tests {
     }
 
     #[test]
+    fn a_file_keeps_the_fidelity_that_it_names_and_else_has_the_default() {
+        let dir = tempfile::tempdir().unwrap();
+        let home = Home::at(Some(dir.path().to_path_buf()));
+        for (text, due) in [
+            ("(tour: seen)", Exactness::Auto),
+            ("(tour: seen, fidelity: standard)", Exactness::Standard),
+        ] {
+            fs::write(home.settings_file().unwrap(), text).unwrap();
+            let (found, _) = preferences(&home, &Surroundings::default(), Vec::new());
+            assert_eq!(found.effective().fidelity, due, "{text}");
+        }
+    }
+
+    #[test]
     fn a_bad_file_leaves_defaults_and_is_not_lost() {
         let dir = tempfile::tempdir().unwrap();
         let home = Home::at(Some(dir.path().to_path_buf()));

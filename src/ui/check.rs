@@ -77,9 +77,14 @@ fn said_here(remark: &CheckRemark) -> bool {
 /// How far the check can be trusted, where there is room for it.
 pub(crate) fn trust(app: &App, theme: &Theme) -> Option<(String, Style)> {
     let result = app.shown_check()?.result;
-    let error = significant(100.0 * result.quality.error_estimate, 2);
-    let text = format!("DEM {}: error est. {error} %", result.wanted.fidelity.word());
-    Some((text, theme.text))
+    // Of an ensemble that chooses the mean counts: its runs are as rough as that allows.
+    let chosen = result.wanted.run_fidelity().is_none() && result.breaks.len() > 1;
+    let (what, part) = match chosen {
+        true => ("mean known to", result.force.uncertainty()),
+        false => ("error est.", result.quality.error_estimate),
+    };
+    let (word, error) = (result.wanted.fidelity.word(), significant(100.0 * part, 2));
+    Some((format!("DEM {word}: {what} {error} %"), theme.text))
 }
 
 /// Force and deflection with their deviation.

@@ -327,6 +327,63 @@ fn a_result_of_another_solver_is_stale() {
     assert!(app.shown_check().unwrap().stale() && text(&app).contains("stale"));
 }
 
+/// All pages of the details as one line, without the breaks of a narrow page.
+fn details(app: &mut App) -> String {
+    press(app, "i");
+    let mut pages = String::new();
+    for _ in 0..8 {
+        pages.push_str(&text(app));
+        press(app, "<PgDn>");
+    }
+    press(app, "<Esc>");
+    pages.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn a_check_kept_at_another_fidelity_than_the_default_stays_current() {
+    for fidelity in [Exactness::Standard, Exactness::Auto] {
+        let mut project = small();
+        let mesh = project.mesh(&project.layouts[0]).unwrap();
+        let wanted = Wanted { fidelity, runs: None, seed: 0 };
+        let made = canned::named("whole", &project.layouts[0].layout, &mesh, &wanted);
+        project.layouts[0].check = Some(made.into());
+        let mut app = start(project, (80, 24), COLOR);
+        assert_eq!(app.settings().fidelity, Exactness::Auto);
+        assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
+        let told = details(&mut app);
+        let words = match fidelity {
+            Exactness::Auto => "fidelity auto (runs as quick as a mean known to 1 % allows)",
+            _ => "fidelity standard force",
+        };
+        assert!(told.contains(words), "{told}");
+        assert_eq!(told.contains("%, by itself"), fidelity == Exactness::Auto);
+        // What is asked for now is asked of the next one.
+        let effects = press(&mut app, "c");
+        let [Command::Work(order)] = &effects[..] else { panic!("{effects:?}") };
+        let Task::Checks(checks) = &order.task else { panic!("{order:?}") };
+        assert_eq!(checks.wanted.fidelity, Exactness::Auto);
+    }
+}
+
+#[test]
+fn of_one_run_by_the_default_its_own_estimate_is_told() {
+    let mut project = small();
+    let mesh = project.mesh(&project.layouts[0]).unwrap();
+    let wanted = Wanted { runs: Some(1), ..Wanted::default() };
+    let mut made = canned::named("whole", &project.layouts[0].layout, &mesh, &wanted);
+    made.runs = 1;
+    made.breaks.truncate(1);
+    made.quality.error_estimate = 0.04;
+    project.layouts[0].check = Some(made.into());
+    let mut app = start(project, (80, 24), COLOR);
+    let told = details(&mut app);
+    assert!(told.contains("fidelity auto (standard runs)"), "{told}");
+    assert!(
+        told.contains("estimated error of a run up to 4.0 %, where standard aims at 1.0 %"),
+        "{told}"
+    );
+}
+
 #[test]
 fn what_a_new_solver_changed_is_told_of_each_layout() {
     let mut app = app();

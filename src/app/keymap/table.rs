@@ -124,7 +124,7 @@ const MAIN: &[Binding] = &[
     k(A::Basis,          &[c('B')],                       "",            "verdicts by mean or by characteristic values, for the project"),
     k(A::Redo,           &[c('U'), ctrl('r'), ctrl('y')], "redo",        "redo"),
     k(A::CheckAll,       &[c('C')],                       "",            "check all layouts"),
-    k(A::Fidelity,       &[c('f')],                       "fidelity",    "how exactly checks compute: quick, standard, fine"),
+    k(A::Fidelity,       &[c('f')],                       "fidelity",    "how exactly checks compute: auto, quick, standard, fine"),
     k(A::Stop,           &[ESC, ctrl('g')],               "",            "end the check that runs; what is done is kept"),
     k(A::Redraw,         &[ctrl('l')],                    "",            "draw the screen anew"),
     k(A::Suspend,        &[ctrl('z')],                    "",            "suspend; fg brings the program back"),

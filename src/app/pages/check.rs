@@ -4,14 +4,12 @@ use super::text::TextPage;
 use crate::app::App;
 use crate::app::work::live::LIVE_RUNS;
 use crate::app::work::shown::Standing;
-use crate::dem::outcome::Quality;
 use crate::layout::Blocks;
 use crate::show::say;
 use crate::study::result::places::Places;
 use crate::study::result::sampled::{CHARACTERISTIC, sentence};
 use crate::study::result::{CheckResult, Revisions};
 use crate::units::{Units, energy_text, force_text, length_text, significant, stiffness_text};
-use crate::words::Choice;
 
 /// All there is to know of the check shown.
 pub(super) fn section(page: &mut TextPage, app: &App) {
@@ -35,7 +33,7 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     );
     let asked = v.wanted.runs.map_or("until the mean is known".to_string(), |n| n.to_string());
     page.row("runs", &format!("{} ({asked}), seed {}", v.runs, v.wanted.seed));
-    page.row("fidelity", v.wanted.fidelity.word());
+    page.row("fidelity", &v.wanted.fidelity_said());
     if v.broke() {
         let kn = |value: f64| app.units().force_number(value, 3);
         page.row(
@@ -96,7 +94,7 @@ pub(super) fn section(page: &mut TextPage, app: &App) {
     if !v.breaks.is_empty() && !shown.stale() {
         page.row("first wires broke at", &format!("{}; twists {}", places.text(), places.twists));
     }
-    quality(page, &v.quality);
+    quality(page, v);
     remarks(page, v, app.units());
     page.row("inputs", &format!("{} (fingerprint)", v.inputs));
 }
@@ -133,9 +131,12 @@ pub(super) fn remade(page: &mut TextPage, app: &App) {
     }
 }
 
-fn quality(page: &mut TextPage, q: &Quality) {
+fn quality(page: &mut TextPage, v: &CheckResult) {
+    let q = &v.quality;
     let percent = |part: f64| format!("{} %", significant(100.0 * part, 2));
-    page.row("error estimate, worst run", &percent(q.error_estimate));
+    let chosen = v.wanted.run_fidelity().is_none();
+    let whole = if chosen { ", by itself" } else { "" };
+    page.row("error estimate, worst run", &format!("{}{whole}", percent(q.error_estimate)));
     page.row("kinetic over internal energy", &percent(q.kinetic_over_internal));
     page.row("energy out of balance", &percent(q.energy_balance));
     page.row("support over punch force", &significant(q.support_over_punch, 3));

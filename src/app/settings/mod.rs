@@ -28,7 +28,7 @@ pub struct Settings {
     pub glyphs: Option<Glyphs>,
     /// Colours.
     pub color: ColorChoice,
-    /// How exactly a check computes: quick, standard or fine.
+    /// How exactly a check computes.
     pub fidelity: Exactness,
     /// Runs of a check, 1 to [`MOST_RUNS`]; as many as needed where nothing is said.
     pub runs: Option<usize>,
@@ -103,7 +103,7 @@ impl SettingItem {
             SettingItem::Glyphs => "signs that charts are drawn with",
             SettingItem::Color => "colours: what the terminal takes, 16 or none",
             SettingItem::Fidelity => "how exactly a check by simulation computes",
-            SettingItem::Runs => "runs of a check; auto: 6 to 64, as needed",
+            SettingItem::Runs => "runs of a check; auto: 4 to 64, as needed",
             SettingItem::Live => "a quick check follows every edit",
             SettingItem::Tour => "the first-run tour; :tour shows it now",
         }

@@ -23,7 +23,6 @@ use crate::study::checks::RUNS;
 use crate::study::exactness::Exactness;
 use crate::study::result::Wanted;
 use crate::study::sensitivity::Effect as Shown;
-use crate::units::significant;
 use crate::words::Choice;
 use given::Given;
 
@@ -73,8 +72,7 @@ impl Studies {
             _ => Exactness::Quick,
         };
         self.fidelity = Some(next);
-        let aim = significant(100.0 * next.fidelity().aim(), 1);
-        format!("checks of studies are {}: errors within {aim} %", next.word())
+        format!("checks of studies are {}: {}", next.word(), next.about())
     }
 
     /// What studies ask of each check: as many runs in all cases, so that they share their draws.

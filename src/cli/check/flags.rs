@@ -19,7 +19,7 @@ use std::path::PathBuf;
 const AFTER_HELP: &str = "\
 Runs: each has its own alignment of the net with anchors and punch and its own slack of the wires,
 because one alignment alone can be 25 % off. Alignments are not drawn at random but placed: so many runs
-for each pattern of nodes that the plates can catch. Without --runs there are 6 to 64, as many as a
+for each pattern of nodes that the plates can catch. Without --runs there are 4 to 64, as many as a
 standard error of the force of 1 % takes. One plain run: --runs 1 --phase 0.25,0.125
 
 Mesh file: net and wires of a mesh, RON, lengths in m, mass in kg, stresses in MPa:
@@ -66,7 +66,7 @@ pub(crate) struct CheckArgs {
     /// Tensile curves and slack on the mesh's net: bench, yade, reference or those of a mesh file.
     #[arg(long, value_name = "LAW", help_heading = "Test")]
     pub(super) law: Option<String>,
-    /// Number of runs [default: 6 to 64, as many as needed].
+    /// Number of runs [default: 4 to 64, as many as needed].
     #[arg(long, value_name = "N", value_parser = runs, help_heading = "Runs")]
     runs: Option<usize>,
     /// Seed of alignments and slack.
@@ -79,8 +79,9 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "N", help_heading = "Runs")]
     threads: Option<NonZeroUsize>,
     /// Aim: errors of a run within 3 % (quick), 1 % (standard), 0.2 % (fine), or the reference itself; auto:
-    /// quick runs, as slow as it takes for a mean known to 1 %.
-    #[arg(long, value_name = "FIDELITY", default_value = "standard", value_parser = one_of(Exactness::ALL), help_heading = "Accuracy")]
+    /// quick runs, as slow as it takes for a mean known to 1 %; one or two runs, and runs of a given alignment,
+    /// speed, damping or --to-aim, are standard ones.
+    #[arg(long, value_name = "FIDELITY", default_value = Exactness::default().word(), value_parser = one_of(Exactness::ALL), help_heading = "Accuracy")]
     fidelity: Exactness,
     /// Factor on the time step; what is beyond the stability bound is refused.
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = quantity::number, allow_hyphen_values = true, help_heading = "Accuracy")]

@@ -32,6 +32,7 @@ use crate::study::blocks::{self, Stood};
 use crate::study::ensemble::{Ensemble, Plan, Run};
 use crate::study::exactness::Exactness;
 use crate::study::inputs::of_ensemble;
+use crate::study::paired;
 use crate::study::remark::CheckRemark;
 use crate::study::result::remade::Former;
 use crate::study::result::sampled::{Catch, catches, characteristic};
@@ -46,7 +47,7 @@ struct Checked {
     name: Option<String>,
     case: Case,
     spec: SceneSpec,
-    fidelity: Fidelity,
+    controls: Controls,
     plan: Plan,
     /// The ensemble of the arrangement that decides.
     ensemble: Ensemble,
@@ -75,16 +76,16 @@ impl Checked {
 
     /// What was asked of its runs.
     fn exactness(&self) -> Exactness {
-        if self.plan.auto { Exactness::Auto } else { self.fidelity.into() }
+        if self.plan.auto { Exactness::Auto } else { self.controls.fidelity.into() }
     }
 
     fn fidelity_word(&self) -> &'static str {
         self.exactness().word()
     }
 
-    /// The fidelity of each run, where that was asked for.
+    /// The fidelity of each run, where the ensemble does not choose it.
     pub(super) fn run_fidelity(&self) -> Option<Fidelity> {
-        (!self.plan.auto).then_some(self.fidelity)
+        paired::run_fidelity(&self.controls, &self.plan)
     }
 
     /// The same with what was made of it.
@@ -100,7 +101,7 @@ impl Checked {
                 100.0 * (b.factors[0] - 1.0),
                 100.0 * (b.factors[1] - 1.0)
             ),
-            None if self.plan.auto => format!("{word} ({} runs)", self.fidelity.word()),
+            None if self.plan.auto => format!("{word} ({} runs)", self.controls.fidelity.word()),
             None => word.into(),
         }
     }
@@ -305,7 +306,8 @@ fn judged(c: &Checked, basis: Basis) -> Option<Verdict> {
         return None;
     }
     let Plan { runs, seed, .. } = c.plan;
-    let wanted = Wanted { fidelity: c.exactness(), runs, seed };
+    let fidelity = c.run_fidelity().map_or(Exactness::Auto, Exactness::from);
+    let wanted = Wanted { fidelity, runs, seed };
     let result = CheckResult::from_ensemble(&c.ensemble, &wanted, c.fingerprint);
     let forecast = match c.forecast.other_net {
         true => Forecasted::none("the forecast is of another net"),
@@ -339,12 +341,11 @@ fn check_all(ready: Vec<Ready>, basis: Basis) -> Result<(Vec<Checked>, bool), Fa
         let Some(stood) = made.next() else { continue };
         let (words, arrangement, ensemble) = (stood.words(), stood.arrangement, stood.ensemble);
         let fingerprint = of_ensemble(&spec, &controls, &plan);
-        let fidelity = controls.fidelity;
         let mut one = Checked {
             name,
             case,
             spec,
-            fidelity,
+            controls,
             plan,
             ensemble,
             arrangement,

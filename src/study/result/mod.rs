@@ -21,19 +21,24 @@ pub mod sampled;
 
 use super::ensemble::{Ensemble, Plan, Run, Spread, counts, weighted_mean, weights};
 use super::exactness::Exactness;
+use super::paired;
 use super::remark::{CheckFlag, CheckRemark, Facts};
 use crate::curve::{Curve, Point};
-use crate::dem::Controls;
 use crate::dem::lattice::Role;
 use crate::dem::outcome::Quality;
+use crate::dem::{Controls, Fidelity};
 use crate::fingerprint::Fingerprint;
 use crate::units::{from_kn, to_kn};
+use crate::words::Choice;
 pub use revisions::Revisions;
 use sampled::Catch;
 pub use sampled::Sampled;
 
 /// Significant digits of the numbers of a result; the method is good for three.
 pub(crate) const DIGITS: usize = 5;
+
+/// What runs are where the ensemble chooses.
+const AUTO: &str = "runs as quick as a mean known to 1 % allows";
 
 /// What is asked of a check.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,9 +52,9 @@ pub struct Wanted {
 }
 
 impl Default for Wanted {
-    /// Standard fidelity, as many runs as needed, seed 0.
+    /// By the ensemble's own choice, as many runs as needed, seed 0.
     fn default() -> Wanted {
-        Wanted { fidelity: Exactness::Standard, runs: None, seed: 0 }
+        Wanted { fidelity: Exactness::default(), runs: None, seed: 0 }
     }
 }
 
@@ -57,6 +62,21 @@ impl Wanted {
     /// Controls of the runs.
     pub(crate) fn controls(&self) -> Controls {
         Controls { fidelity: self.fidelity.fidelity(), keep_net: true, ..Controls::default() }
+    }
+
+    /// The fidelity of each run, where the ensemble does not choose it.
+    pub(crate) fn run_fidelity(&self) -> Option<Fidelity> {
+        paired::run_fidelity(&self.controls(), &self.plan(1))
+    }
+
+    /// How exactly the runs compute, with what that means where the ensemble may choose.
+    pub(crate) fn fidelity_said(&self) -> String {
+        let word = self.fidelity.word();
+        match self.run_fidelity() {
+            None => format!("{word} ({AUTO})"),
+            Some(own) if self.fidelity.auto() => format!("{word} ({} runs)", own.word()),
+            Some(_) => word.into(),
+        }
     }
 
     /// Plan of the ensemble, on this many threads.
@@ -269,7 +289,7 @@ impl CheckResult {
             aligned: false,
             force_error: self.force.uncertainty(),
             error_estimate: self.quality.error_estimate,
-            fidelity: (!self.wanted.fidelity.auto()).then(|| self.wanted.fidelity.fidelity()),
+            fidelity: self.wanted.run_fidelity(),
         };
         facts.remarks()
     }
