@@ -27,12 +27,7 @@ impl App {
         }
         let (plan, folder) = asked(text)?;
         let folder = typed_path(Path::new(folder));
-        self.inform(format!(
-            "{} runs with {} into {}; Esc ends it, the same again goes on",
-            plan.lines(),
-            mesh.id,
-            folder.display()
-        ));
+        // No message: it would stand until the next key where the progress belongs.
         let job = MethodJob { folder, plan, mesh };
         Ok(vec![self.work.start_steps("campaign", Task::Method(job))])
     }
