@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Twenty lines.
-const SMALL: [&str; 6] = ["campaign", "--runs", "16", "--seed", "3", "--eccentric"];
+/// Thirty lines.
+const SMALL: [&str; 6] = ["campaign", "--runs", "24", "--seed", "3", "--eccentric"];
 
 fn arguments<'a>(out: &'a str, threads: &'a str) -> Vec<&'a str> {
     let mut all = SMALL.to_vec();
@@ -36,18 +36,22 @@ fn a_campaign_that_was_cut_off_goes_on_to_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("c");
     let said = good(&arguments(out.to_str().unwrap(), "1"));
-    assert!(said.contains("centred        12 runs:") && said.contains("laboratory"), "{said}");
+    assert!(said.contains("centred        18 runs:") && said.contains("laboratory"), "{said}");
     let whole = fs::read(file(&out)).unwrap();
     let ends = ends(&whole);
-    assert_eq!(ends.len(), 21, "a header and twenty lines");
+    assert_eq!(ends.len(), 31, "a header and thirty lines");
 
     // On two threads, into another folder.
     let other = folder.path().join("two/threads");
     good(&arguments(other.to_str().unwrap(), "2"));
     assert!(fs::read(file(&other)).unwrap() == whole);
 
-    // In the header, behind it, and at every tenth line with a part of the next.
-    for (cut, threads) in [(5, "2"), (ends[0], "1"), (ends[10] + 40, "2"), (whole.len() - 1, "1")] {
+    // In the header and behind it; behind every tenth line, and in the middle of the next; before the end.
+    let tenths = ends.iter().zip(&ends[1..]).step_by(10).skip(1);
+    let mut cuts: Vec<usize> = tenths.flat_map(|(end, next)| [*end, (end + next) / 2]).collect();
+    assert!(cuts.len() == 4 && cuts[3] > ends[20] && cuts[3] < ends[21], "{cuts:?}");
+    cuts.extend([5, ends[0], whole.len() - 1, whole.len()]);
+    for (cut, threads) in cuts.into_iter().zip(["1", "2"].into_iter().cycle()) {
         fs::write(file(&out), &whole[..cut]).unwrap();
         let mut all = arguments(out.to_str().unwrap(), threads);
         all.push("--resume");
@@ -201,15 +205,22 @@ fn the_papers_figures_and_tables_are_made_with_their_pictures() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
     let written = good(&["reproduce", "--runs", "60", "--out", out]);
-    assert_eq!(written.lines().count(), 5, "{written}");
+    let names: Vec<&str> = written.lines().filter_map(|line| line.rsplit('/').next()).collect();
+    assert_eq!(
+        names.join(" "),
+        "reproduced.txt fig3.svg fig4a.svg fig4b.svg fig6.svg fig7a.svg fig7b.svg fig7c.svg fig7d.svg fig7e.svg \
+         fig7f.svg figa1.svg"
+    );
     let text = fs::read_to_string(folder.path().join("reproduced.txt")).unwrap();
     for part in
         ["Eq. 1", "k75 at L = 2 m", "alpha_F", "Eq. 3", "test 5, mirrored", "after the fact"]
     {
         assert!(text.contains(part), "{part}: {text}");
     }
-    let picture = fs::read_to_string(folder.path().join("fig7a.svg")).unwrap();
-    roxmltree::Document::parse(&picture).unwrap();
+    for name in &names[1..] {
+        let picture = fs::read_to_string(folder.path().join(name)).unwrap();
+        roxmltree::Document::parse(&picture).unwrap();
+    }
 }
 
 /// alpha_F of the shipped method of repeated blocks.
