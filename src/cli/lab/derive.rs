@@ -77,7 +77,7 @@ fn write(path: &Path, method: &DerivedMethod) -> Result<(), Fault> {
 }
 
 /// The factors over the reference panel; a place on a plate has none.
-fn map(m: &DerivedMethod) -> String {
+pub(super) fn map_table(m: &DerivedMethod) -> String {
     let parts = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
     let mut t = format!("  {:>4}", "");
     for x in parts {
@@ -190,7 +190,7 @@ fn text(m: &DerivedMethod, out: Option<&Path>) -> String {
     t.push_str(
         "\nfactors of an offset on F and delta at the reference panel; rows ey/L, columns ex/L\n",
     );
-    t.push_str(&map(m));
+    t.push_str(&map_table(m));
     t.push_str(
         "\nerror of a run by fits that did not see it, F delta: D below 0.4 m, from 0.4 m\n",
     );

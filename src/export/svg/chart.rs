@@ -202,7 +202,7 @@ impl Content {
         let mut labels = Labels::new(frame);
         for band in &self.bands {
             let around: Vec<_> = band.iter().map(|p| clamped(plane.at(*p), &frame)).collect();
-            drawing.area(&around, "#dfe6ef", marks::BAND);
+            drawing.area(&around, marks::FILL, marks::BAND);
         }
         for level in &self.levels {
             Self::level_line(level, &plane, &mut drawing, &mut labels);

@@ -88,6 +88,17 @@ impl Labels {
         self.put(drawing, &places, text, true);
     }
 
+    /// A word on a line, as near to its middle as there is room.
+    pub(crate) fn on(&mut self, drawing: &mut Drawing, line: &[(f64, f64)], text: &str) {
+        let width = text_width(text, TEXT);
+        let middle = line.len() / 2;
+        let mut nearest: Vec<usize> = (0..line.len()).collect();
+        nearest.sort_by_key(|i| i.abs_diff(middle));
+        let places = nearest.into_iter().map(|i| line[i]);
+        let places: Vec<_> = places.map(|(x, y)| (x - width / 2.0, y + TEXT * 0.35)).collect();
+        self.put(drawing, &places, text, false);
+    }
+
     /// A word along a level line: above it, from the left, or else below it.
     pub(crate) fn along(&mut self, drawing: &mut Drawing, y: f64, text: &str) {
         let mut places = Vec::new();

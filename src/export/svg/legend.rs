@@ -5,8 +5,8 @@ use super::drawing::{Anchor, Drawing, Stroke, TEXT, text_width};
 use super::marks::Mark;
 
 /// One line of a legend.
-#[derive(Debug, Clone)]
-pub(super) struct LegendEntry {
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LegendEntry {
     /// The line's style; nothing where there is no line to explain.
     pub(crate) line: Option<Stroke>,
     /// The sign at the line's end.
@@ -40,7 +40,7 @@ pub(crate) fn draw(
             let (up, down) = (middle - 7.0, middle + 7.0);
             let (l, r) = (left, left + SAMPLE);
             let corners = [(l, up), (r, up), (r, down), (l, down)];
-            drawing.area(&corners, "#dfe6ef", super::marks::BAND);
+            drawing.area(&corners, super::marks::FILL, super::marks::BAND);
         }
         if let Some(line) = entry.line {
             drawing.line(&[(left, middle), (left + SAMPLE, middle)], line);

@@ -31,6 +31,10 @@ pub(crate) const OTHER: Stroke = Stroke { colour: "#0a5040", width: 1.6, dashes:
 pub(crate) const CHECK: Stroke = Stroke { colour: "#00479a", width: 2.0, dashes: "14 4 3 4" };
 /// Edge of a check's band.
 pub(crate) const BAND: Stroke = Stroke::solid("#7088a8", 0.8);
+/// Signs without a line.
+pub(crate) const SIGNS: Stroke = Stroke::solid("#000", 0.0);
+/// What fills a band.
+pub(crate) const FILL: &str = "#dfe6ef";
 /// Line of a design force.
 pub(crate) const DESIGN: Stroke = Stroke { colour: "#8a2b00", width: 1.6, dashes: "8 4" };
 /// Line of an allowable deflection.

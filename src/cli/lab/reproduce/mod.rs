@@ -1,7 +1,11 @@
 //! `meshcast reproduce`: the paper's figures and tables from our own simulations.
 
+mod map;
 mod pictures;
+#[cfg(test)]
+mod tests;
 
+use super::derive::map_table;
 use super::draw::DrawFlags;
 use crate::cli::VERSION;
 use crate::cli::output::{CommandEnd, Fault, Output};
@@ -18,6 +22,9 @@ use crate::words::Choice;
 use clap::Args;
 use std::fmt::Write;
 use std::path::PathBuf;
+
+/// Runs of a point of a laboratory series, and of an anchored test.
+const RUNS: [usize; 2] = [4, 16];
 
 const AFTER_HELP: &str = "\
 Labels: fitted (the wires were fitted to it), in view (much the same as what they were fitted to), after the fact (the
@@ -45,6 +52,8 @@ pub(crate) struct ReproduceArgs {
 pub(crate) fn run(args: &ReproduceArgs) -> CommandEnd {
     let plan = ReproducePlan {
         runs: args.runs as usize,
+        beside: RUNS,
+        every: 1,
         seed: args.draw.seed,
         fidelity: args.draw.fidelity,
         threads: args.draw.threads(),
@@ -94,12 +103,12 @@ fn text(plan: &ReproducePlan, r: &Reproduced) -> String {
     );
     let _ = writeln!(
         t,
-        "{:<10} {:<40} {:>7} {:>7} {:>7}  {:<15} remark",
+        "{:<10} {:<46} {:>7} {:>7} {:>7}  {:<15} remark",
         "", "", "paper", "ours", "diff %", "label"
     );
     for row in &r.rows {
         let line = format!(
-            "{:<10} {:<40} {:>7} {:>7} {:>+7.1}  {:<15} {}",
+            "{:<10} {:<46} {:>7} {:>7} {:>+7.1}  {:<15} {}",
             row.place,
             row.words,
             significant(row.paper, 3),
@@ -135,6 +144,14 @@ fn text(plan: &ReproducePlan, r: &Reproduced) -> String {
             point[0], point[1], point[2]
         );
     }
+    let _ = writeln!(
+        t,
+        "\nFig. A1: factors of an offset on F and delta at the reference panel, {} blocks, by {} runs of the \
+         campaign; rows ey/L, columns ex/L\n{}",
+        r.method.blocks.word(),
+        r.method.offsets.runs,
+        map_table(&r.method).trim_end()
+    );
     t
 }
 

@@ -1,127 +1,268 @@
 //! The paper's figures as SVG.
 
-use crate::axis::Axis;
-use crate::export::svg::drawing::{Anchor, Drawing, Stroke};
-use crate::forecast::master;
-use crate::lab::reproduce::{Reproduced, SeriesPoint};
-use crate::units::to_kn;
+use super::map;
+use crate::curve::{Curve, Point};
+use crate::export::svg::drawing::Stroke;
+use crate::export::svg::marks::{self, Mark};
+use crate::export::svg::plot::{Plot, PlotLine, Points, Signs};
+use crate::forecast::published::PublishedTest;
+use crate::forecast::{forecast, laboratory, master, rescaled};
+use crate::lab::paper::{ANCHORED, LABORATORY};
+use crate::lab::reproduce::{MeanCurve, Reproduced, SeriesPoint, Simulated};
+use crate::layout::{BranchRule, REFERENCE};
+use crate::mesh::catalogue;
+use crate::units::{from_kn, significant, to_kn};
 
-/// Size of a picture and its margin.
-const SIZE: (f64, f64) = (520.0, 360.0);
-const MARGIN: f64 = 55.0;
-const WORDS: f64 = 12.0;
-const COLOURS: [&str; 5] = ["#1b6ca8", "#b03a2e", "#1e8449", "#7d3c98", "#b9770e"];
-
-/// Points of a line.
-type Points = Vec<(f64, f64)>;
-
-/// Some lines over common axes.
-struct Figure {
-    title: &'static str,
-    x: &'static str,
-    y: &'static str,
-    /// Name, points and whether they are drawn as dots.
-    lines: Vec<(String, Points, bool)>,
-}
+const DELTA: &str = "deflection \u{3b4} (m)";
+const FORCE: &str = "force F (kN)";
+/// Points of a line that has an equation.
+const POINTS: usize = 41;
+/// Blocks and panels whose curves are shown, m.
+const SHOWN: [&[f64]; 2] = [&[0.5, 1.0, 1.5, 2.0, 2.5], &[2.0, 4.0]];
+/// The sign of what the paper prints.
+const PAPER: Mark = Mark::Disc;
+/// D/L from which on the paper finds no more deflection.
+const THRESHOLD: f64 = 0.4;
 
 /// All pictures with their file names.
 pub(super) fn all(r: &Reproduced) -> Vec<(&'static str, String)> {
-    let kn = |points: &[SeriesPoint]| -> Vec<(f64, f64)> {
-        points.iter().map(|p| (p.size, to_kn(p.force))).collect()
-    };
-    let delta = |points: &[SeriesPoint]| -> Vec<(f64, f64)> {
-        points.iter().map(|p| (p.size, p.deflection)).collect()
-    };
-    let curve = |p: &SeriesPoint, name: &str| {
-        let points = p.curve.points().map(|q| (q.deflection, to_kn(q.force))).collect();
-        (format!("{name} {:.1} m", p.size), points, false)
-    };
-    let mut fig3: Vec<_> =
-        [4, 9, 14, 19].iter().filter_map(|k| r.over_block.get(*k)).map(|p| curve(p, "D")).collect();
-    fig3.extend(r.over_panel.first().map(|p| curve(p, "D 1 m, L")));
-    let both = |of: &dyn Fn(&[SeriesPoint]) -> Points| {
-        vec![
-            ("over D, L = 3 m".to_string(), of(&r.over_block), true),
-            ("over L, D = 1 m".to_string(), of(&r.over_panel), true),
-        ]
-    };
-    let envelope = &r.method.master.envelope;
-    let last = (envelope.len().max(2) - 1) as f64;
-    let x = |i: usize| i as f64 / last;
-    let mut fig7: Vec<_> = [(0, "5 %"), (1, "50 %"), (2, "95 %")]
-        .iter()
-        .map(|(k, name)| {
-            let points = envelope.iter().enumerate().map(|(i, p)| (x(i), p[*k])).collect();
-            (name.to_string(), points, false)
-        })
-        .collect();
-    let eq3 = (0..envelope.len()).map(|i| (x(i), master::force(x(i)))).collect();
-    fig7.push(("Eq. 3 of the paper".to_string(), eq3, true));
-    let figures = [
-        ("fig3.svg", Figure { title: "Laboratory curves", x: "delta, m", y: "F, kN", lines: fig3 }),
-        (
-            "fig4a.svg",
-            Figure { title: "Laboratory force", x: "D or L, m", y: "F, kN", lines: both(&kn) },
-        ),
-        (
-            "fig4b.svg",
-            Figure {
-                title: "Laboratory deflection",
-                x: "D or L, m",
-                y: "delta, m",
-                lines: both(&delta),
-            },
-        ),
-        (
-            "fig7a.svg",
-            Figure { title: "Normalised curves", x: "delta/delta_a", y: "F/F_a", lines: fig7 },
-        ),
+    let mut all = vec![
+        ("fig3.svg", fig3(r).svg()),
+        ("fig4a.svg", fig4a(r).svg()),
+        ("fig4b.svg", fig4b(r).svg()),
+        ("fig6.svg", fig6(r).svg()),
+        ("fig7a.svg", fig7a(r).svg()),
     ];
-    figures.into_iter().map(|(name, figure)| (name, figure.svg())).collect()
+    let names = ["fig7b.svg", "fig7c.svg", "fig7d.svg", "fig7e.svg", "fig7f.svg"];
+    all.extend(names.into_iter().zip(&r.tests).map(|(name, test)| (name, fig7(name, test).svg())));
+    all.push(("figa1.svg", map::svg(&r.method)));
+    all
 }
 
-impl Figure {
-    fn svg(&self) -> String {
-        let all = || self.lines.iter().flat_map(|line| &line.1);
-        let x = Axis::holding(all().map(|p| p.0).fold(0.0, f64::max), 6);
-        let y = Axis::holding(all().map(|p| p.1).fold(0.0, f64::max), 6);
-        let (width, height) = SIZE;
-        let at = |p: (f64, f64)| {
-            (
-                MARGIN + p.0 / x.end() * (width - 2.0 * MARGIN),
-                height - MARGIN - p.1 / y.end() * (height - 2.0 * MARGIN),
-            )
-        };
-        let mut drawing = Drawing::new(width);
-        let thin = Stroke::solid("#ccc", 1.0);
-        for (value, label) in x.ticks() {
-            let (px, py) = at((value, 0.0));
-            drawing.line(&[(px, py), at((value, y.end()))], thin);
-            drawing.text((px, py + 16.0), Anchor::Middle, WORDS, &label);
-        }
-        for (value, label) in y.ticks() {
-            let (px, py) = at((0.0, value));
-            drawing.line(&[(px, py), at((x.end(), value))], thin);
-            drawing.text((px - 6.0, py + 4.0), Anchor::End, WORDS, &label);
-        }
-        drawing.text((width / 2.0, height - 16.0), Anchor::Middle, WORDS, self.x);
-        drawing.text((MARGIN, MARGIN - 12.0), Anchor::Start, WORDS, self.y);
-        for (k, (name, points, dots)) in self.lines.iter().enumerate() {
-            let colour = COLOURS[k % COLOURS.len()];
-            let places: Vec<(f64, f64)> = points.iter().map(|p| at(*p)).collect();
-            if *dots {
-                for place in &places {
-                    drawing.circle(*place, 2.5, colour, Stroke::solid(colour, 1.0));
-                }
-            }
-            drawing.line(&places, Stroke::solid(colour, 1.2));
-            let key = (width - MARGIN - 130.0, MARGIN + 16.0 * k as f64);
-            drawing.line(
-                &[(key.0 - 24.0, key.1 - 4.0), (key.0 - 4.0, key.1 - 4.0)],
-                Stroke::solid(colour, 2.0),
-            );
-            drawing.text(key, Anchor::Start, WORDS, name);
-        }
-        drawing.finish(height, self.title, "From our simulations; see reproduced.txt.")
+/// Laboratory curves for several blocks and panels.
+fn fig3(r: &Reproduced) -> Plot {
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    let shown = |series: &'static [f64], points: &'static str, of: &[SeriesPoint]| {
+        let of = of.iter().filter(move |p| series.iter().any(|size| near(p.size, *size)));
+        of.map(|p| (format!("{points} = {} m", p.size), p.curve.clone())).collect::<Vec<_>>()
+    };
+    let mut curves = shown(SHOWN[0], "D", &r.over_block);
+    curves.extend(shown(SHOWN[1], "L", &r.over_panel));
+    let lines = curves.into_iter().enumerate().map(|(k, (tag, curve))| {
+        let (stroke, mark) = marks::nth(k);
+        let rest = if tag.starts_with('D') { "L = 3 m" } else { "D = 1 m" };
+        let words = format!("{tag}, {rest}: {}", ended(&curve));
+        PlotLine { tag, ..line(&curve, stroke, mark, words) }
+    });
+    Plot {
+        title: "Fig. 3: laboratory tests by D and by L, means of our runs".into(),
+        axes: [DELTA, FORCE],
+        lines: lines.collect(),
     }
+}
+
+/// Laboratory forces over both sizes, and Eq. 1.
+fn fig4a(r: &Reproduced) -> Plot {
+    let paper = |panel: f64| to_kn(LABORATORY[0]) * laboratory::force_ratio(panel);
+    Plot {
+        title: "Fig. 4a: force of the laboratory test by D and by L".into(),
+        axes: ["D or L (m)", FORCE],
+        lines: over_both(r, |p| to_kn(p.force), paper, "Eq. 1 of the paper, over L"),
+    }
+}
+
+/// Laboratory deflections over both sizes, and Eq. 2.
+fn fig4b(r: &Reproduced) -> Plot {
+    let paper = |panel: f64| LABORATORY[1] * laboratory::deflection_ratio(panel);
+    let mut lines = over_both(r, |p| p.deflection, paper, "Eq. 2 of the paper, over L");
+    let end = THRESHOLD * REFERENCE.spacing;
+    let words = format!("threshold of the paper, D/L = {THRESHOLD}: constant over D from there on");
+    let top = r.over_panel.iter().map(|p| p.deflection).fold(0.0, f64::max);
+    lines.push(PlotLine {
+        points: vec![(end, 0.0), (end, top)],
+        stroke: marks::ALLOWABLE,
+        ..signs(Vec::new(), None, words)
+    });
+    Plot {
+        title: "Fig. 4b: deflection at failure of the laboratory test by D and by L".into(),
+        axes: ["D or L (m)", DELTA],
+        lines,
+    }
+}
+
+fn over_both(
+    r: &Reproduced,
+    of: fn(&SeriesPoint) -> f64,
+    paper: impl Fn(f64) -> f64,
+    equation: &str,
+) -> Vec<PlotLine> {
+    let points = |series: &[SeriesPoint]| series.iter().map(|p| (p.size, of(p))).collect();
+    let series = |points: Points, k: usize, mark: Mark, words: &str, tag: &str| PlotLine {
+        points,
+        stroke: Stroke { width: 1.2, ..marks::nth(k).0 },
+        mark: Some((mark, Signs::All)),
+        band: Vec::new(),
+        words: words.into(),
+        tag: tag.into(),
+    };
+    let panels = r.over_panel.iter().map(|p| (p.size, paper(p.size)));
+    vec![
+        series(points(&r.over_block), 0, Mark::Disc, "our runs over D, L = 3 m", "D"),
+        series(points(&r.over_panel), 1, Mark::Diamond, "our runs over L, D = 1 m", "L"),
+        PlotLine {
+            stroke: marks::OTHER,
+            points: panels.collect(),
+            ..signs(Vec::new(), None, equation.into())
+        },
+    ]
+}
+
+/// The standard laboratory test and the anchored reference panel.
+fn fig6(r: &Reproduced) -> Plot {
+    let [laboratory, anchored] = &r.star;
+    let paper = |[force, deflection]: [f64; 2], of: &str| {
+        let point = Point { deflection, force };
+        let words = format!("the paper's F_{of}*, \u{3b4}_{of}*: {}", at(point));
+        signs(vec![place(point)], Some(PAPER), words)
+    };
+    let ours = |mean: &MeanCurve, stroke, mark, of: &str, what: &str| {
+        let tag = format!("F_{of}*, \u{3b4}_{of}*");
+        let words = format!("{what}, our runs: {tag} = {}; shaded: 90 %", ended(&mean.curve));
+        PlotLine { band: band(mean), tag, ..line(&mean.curve, stroke, mark, words) }
+    };
+    Plot {
+        title: "Fig. 6: laboratory (L = 3, D = 1 m) and anchored (d = 0.32, L = 3, D = 1 m)".into(),
+        axes: [DELTA, FORCE],
+        // Ours last, because the signs are near each other.
+        lines: vec![
+            paper(LABORATORY, "l"),
+            paper(ANCHORED, "a"),
+            ours(laboratory, marks::OTHER, Mark::Ring, "l", "laboratory"),
+            ours(anchored, marks::CHECK, Mark::Diamond, "a", "anchored"),
+        ],
+    }
+}
+
+/// Envelope of the normalised curves, and Eq. 3.
+fn fig7a(r: &Reproduced) -> Plot {
+    let envelope = &r.method.master.envelope;
+    let last = envelope.len().max(2) - 1;
+    let x = |i: usize| i as f64 / last as f64;
+    let edge =
+        |k: usize| -> Points { envelope.iter().enumerate().map(|(i, p)| (x(i), p[k])).collect() };
+    let mut around = edge(0);
+    around.extend(edge(2).into_iter().rev());
+    let equation =
+        (0..POINTS).map(|i| i as f64 / (POINTS - 1) as f64).map(|x| (x, master::force(x)));
+    Plot {
+        title: "Fig. 7a: normalised curves of random layouts".into(),
+        axes: [
+            "deflection over that at failure, \u{3b4}/\u{3b4}_a",
+            "force over that at failure, F/F_a",
+        ],
+        lines: vec![
+            PlotLine {
+                points: edge(1),
+                stroke: marks::CHECK,
+                band: around,
+                ..signs(Vec::new(), None, "our runs: their median; shaded: 5 to 95 %".into())
+            },
+            PlotLine {
+                points: equation.collect(),
+                stroke: marks::FORECAST,
+                ..signs(
+                    Vec::new(),
+                    None,
+                    "Eq. 3 of the paper: 1.312 x^3 - 0.385 x^2 + 0.073 x".into(),
+                )
+            },
+        ],
+    }
+}
+
+/// A row of Table 1: our runs, what the paper prints, and the paper's forecast.
+fn fig7(name: &str, simulated: &Simulated) -> Plot {
+    let test = simulated.test;
+    let styles = [(marks::CHECK, Mark::Diamond), (marks::OTHER, Mark::Square)];
+    let mut lines: Vec<PlotLine> = simulated
+        .by
+        .iter()
+        .zip(styles)
+        .map(|((stand, mean), (stroke, mark))| {
+            let words = format!("our runs, {stand} blocks: {}; shaded: 90 %", ended(&mean.curve));
+            PlotLine { band: band(mean), ..line(&mean.curve, stroke, mark, words) }
+        })
+        .collect();
+    let predicted = forecast(&test.layout(), &catalogue::reference(), BranchRule::Published)
+        .ok()
+        .and_then(|told| told.field.ok()?.end());
+    if let Some(end) = predicted {
+        let curve = rescaled(end, POINTS);
+        let words = format!("forecast of the paper: {}", ended(&curve));
+        lines.push(line(&curve, marks::FORECAST, Mark::Cross, words));
+    }
+    let printed =
+        Point { force: from_kn(test.dem.force.value()), deflection: test.dem.deflection.value() };
+    let words = format!("the paper's simulation, Table 1: {}", at(printed));
+    let tag = "paper".to_string();
+    lines.push(PlotLine { tag, ..signs(vec![place(printed)], Some(PAPER), words) });
+    Plot { title: title(name, test), axes: [DELTA, FORCE], lines }
+}
+
+fn title(name: &str, test: &PublishedTest) -> String {
+    let letter = name.trim_start_matches("fig7").trim_end_matches(".svg");
+    let sizes = format!("d = {}, L = {}, D = {}", test.plate, test.spacing, test.punch);
+    let offset = if (test.ex, test.ey) == (0.0, 0.0) {
+        String::new()
+    } else {
+        format!(", ex = {}, ey = {}", test.ex, test.ey)
+    };
+    format!("Fig. 7{letter}: test {}, {sizes}{offset} m", test.test)
+}
+
+fn place(point: Point) -> (f64, f64) {
+    (point.deflection, to_kn(point.force))
+}
+
+fn at(point: Point) -> String {
+    let force = significant(to_kn(point.force), 3);
+    format!("{force} kN at {} m", significant(point.deflection, 3))
+}
+
+/// Where a curve ends.
+fn ended(curve: &Curve) -> String {
+    curve.failure.map_or("no break".into(), at)
+}
+
+fn line(curve: &Curve, stroke: Stroke, mark: Mark, words: String) -> PlotLine {
+    PlotLine {
+        points: curve.points().map(place).collect(),
+        stroke,
+        mark: curve.failure.map(|_| (mark, Signs::End)),
+        band: Vec::new(),
+        words,
+        tag: String::new(),
+    }
+}
+
+fn signs(points: Points, mark: Option<Mark>, words: String) -> PlotLine {
+    PlotLine {
+        points,
+        stroke: marks::SIGNS,
+        mark: mark.map(|mark| (mark, Signs::All)),
+        band: Vec::new(),
+        words,
+        tag: String::new(),
+    }
+}
+
+/// The band of a mean curve as a closed line.
+fn band(mean: &MeanCurve) -> Points {
+    let edge = |forces: &[f64]| -> Points {
+        let pairs = mean.curve.deflection.iter().zip(forces);
+        pairs.map(|(deflection, force)| (*deflection, to_kn(*force))).collect()
+    };
+    let mut around = edge(&mean.band[0]);
+    around.extend(edge(&mean.band[1]).into_iter().rev());
+    around
 }
