@@ -29,6 +29,9 @@ use crate::study::result::make::wires;
 /// Differences that need no explanation, as a part: force, deflection and all else.
 const CLOSE: f64 = 0.05;
 
+/// D/L from which on the paper finds the laboratory's deflection constant over D (section 3).
+pub(crate) const THRESHOLD: f64 = 0.4;
+
 /// How it is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ReproducePlan {
@@ -120,8 +123,6 @@ pub(crate) struct Reproduced {
     pub(crate) tests: Vec<Simulated>,
     /// What the campaign gave.
     pub(crate) method: DerivedMethod,
-    /// D/L from which on the deflection stays within 3 % of its largest.
-    pub(crate) threshold: f64,
     /// Whether the force rises with every step of D.
     pub(crate) rising: bool,
     /// How many of the envelope's inner points hold Eq. 3.
@@ -161,11 +162,11 @@ pub(crate) fn reproduce(
     let Some(tests) = scenes.tests()? else { return Ok(None) };
     let Some(facing) = scenes.facing(&method)? else { return Ok(None) };
     let mut rows = rows::laboratory(&over_panel);
+    rows.push(rows::threshold(&over_block));
     rows.extend(rows::method(&method));
     rows.extend(rows::offsets(&method, &facing));
     rows.extend(tests.iter().flat_map(rows::test));
     Ok(Some(Reproduced {
-        threshold: rows::threshold(&over_block),
         rising: over_block.windows(2).all(|w| w[1].force > w[0].force),
         held: rows::held(&method),
         rows,

@@ -8,7 +8,7 @@ use crate::export::svg::plot::{Plot, PlotLine, Points, Signs};
 use crate::forecast::published::PublishedTest;
 use crate::forecast::{forecast, laboratory, master, rescaled};
 use crate::lab::paper::{ANCHORED, LABORATORY};
-use crate::lab::reproduce::{MeanCurve, Reproduced, SeriesPoint, Simulated};
+use crate::lab::reproduce::{MeanCurve, Reproduced, SeriesPoint, Simulated, THRESHOLD};
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::catalogue;
 use crate::units::{from_kn, significant, to_kn};
@@ -21,8 +21,6 @@ const POINTS: usize = 41;
 const SHOWN: [&[f64]; 2] = [&[0.5, 1.0, 1.5, 2.0, 2.5], &[2.0, 4.0]];
 /// The sign of what the paper prints.
 const PAPER: Mark = Mark::Disc;
-/// D/L from which on the paper finds no more deflection.
-const THRESHOLD: f64 = 0.4;
 
 /// All pictures with their file names.
 pub(super) fn all(r: &Reproduced) -> Vec<(&'static str, String)> {

@@ -135,6 +135,8 @@ fn a_paper_point_stands_where_its_numbers_are() {
 #[test]
 fn the_text_has_a_map_and_both_arrangements_at_the_points_of_the_paper() {
     let text = text(&SMALL, small());
+    let row = text.lines().find(|line| line.starts_with("Fig. 4 ")).unwrap();
+    assert!(row.contains("D/L from which delta") && row.contains("0.400"), "{row}");
     let map = text.split("Fig. A1: factors of an offset").nth(1).unwrap();
     assert!(map.contains("rows ey/L, columns ex/L") && map.contains("plate"), "{map}");
     // Six rows below the head.
