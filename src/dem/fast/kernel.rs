@@ -1,171 +1,27 @@
 //! One step of the fast solver, written once for every width of vector.
 //!
-//! Row by row: the forces of the twists of row i and of the single wires between rows i and i + 1 go
-//! into the row's buffer; then the pairs of row i are moved, by the buffer of their own row and that
-//! of the row below. The bonds of row i are computed before any node of row i moves, and those of
-//! row i - 1 were too, so all forces belong to the same instant, with one pass over the net and no
-//! scattered writes.
+//! Block by block of each kind of rows (see [`super::places`]): the forces of the bonds of an even and an odd
+//! block go into buffers; then the pairs of the blocks before them are moved. A wire of an even row ends in the
+//! odd row of the same number, half an opening to the left or right, so the even bonds are one block ahead; one
+//! of an odd row ends a row further on, in nodes that have not moved yet. So all forces belong to the same
+//! instant, with one pass over the net and no scattered writes. The first even row needs the forces of the last
+//! odd one, which are computed beforehand. What the domes and the anchors feel is summed up row by row at the
+//! end.
+//!
+//! The buffers of forces hold a panel of some blocks and what is still needed of those before it, so that they
+//! stay in the processor's nearest cache.
 
 #![expect(
     clippy::inline_always,
     reason = "what uses an instruction set has to be compiled where that is enabled"
 )]
 
+use super::super::field::MOST_BLOCKS;
+use super::force::{DomeLanes, KindLanes, pulls};
 use super::lanes::{Lanes, Real};
-use super::state::{BLOCK, BondKind, DomeValues, NetShape, NetState, PAD};
-
-/// Vectors of a kind's constants.
-#[derive(Clone, Copy)]
-struct KindLanes<'a, L: Lanes> {
-    kind: &'a BondKind<L::Real>,
-    knee: L,
-    knee_force: L,
-    unloading: L,
-    rupture: L,
-    per_length: L,
-    ramp: L,
-}
-
-impl<'a, L: Lanes> KindLanes<'a, L> {
-    #[inline(always)]
-    unsafe fn new(kind: &'a BondKind<L::Real>) -> Self {
-        // SAFETY: the caller promises the instruction set; registers alone are touched.
-        unsafe {
-            KindLanes {
-                kind,
-                knee: L::splat(kind.knee.0),
-                knee_force: L::splat(kind.knee.1),
-                unloading: L::splat(kind.unloading),
-                rupture: L::splat(kind.rupture),
-                per_length: L::splat(kind.per_length),
-                ramp: L::splat(kind.ramp),
-            }
-        }
-    }
-
-    /// Loading curve behind the ramp at strain `e`.
-    #[inline(always)]
-    unsafe fn curve(&self, e: L) -> L {
-        // SAFETY: the caller promises the instruction set; registers alone are touched.
-        unsafe {
-            match &self.kind.shape {
-                NetShape::Lines(lines) => {
-                    let mut f = e.mul(L::splat(lines[0].0)).add(L::splat(lines[0].1));
-                    for line in &lines[1..] {
-                        f = f.min(e.mul(L::splat(line.0)).add(L::splat(line.1)));
-                    }
-                    f
-                }
-                NetShape::Hinges(first, hinges) => {
-                    let zero = L::splat(L::Real::default());
-                    let mut f = L::splat(*first);
-                    for hinge in hinges {
-                        let beyond = e.sub(L::splat(hinge.0)).max(zero);
-                        f = f.add(beyond.mul(L::splat(hinge.1)));
-                    }
-                    f
-                }
-            }
-        }
-    }
-}
-
-/// Forces over lengths, N/m, of three bonds whose ends are `d` apart; updates their largest strains
-/// at `top`. `own` has 1/l1 and the ramp's slope of each where they differ from bond to bond.
-///
-/// Three bonds are dealt with together, step by step, because each step waits for the one before it
-/// and the other bonds fill the wait.
-#[inline(always)]
-unsafe fn pulls<L: Lanes>(
-    kinds: [&KindLanes<'_, L>; 3],
-    d: [[L; 3]; 3],
-    top: [*mut L::Real; 3],
-    own: Option<[[*const L::Real; 2]; 3]>,
-) -> [L; 3] {
-    // SAFETY: the caller promises the instruction set, and a vector within a plane at each address.
-    unsafe {
-        let zero = L::splat(L::Real::default());
-        let one = L::splat(L::Real::new(1.0));
-        let mut square = [zero; 3];
-        let mut inverse = [zero; 3];
-        for b in 0..3 {
-            let [x, y, z] = d[b];
-            square[b] = x.mul(x).add(y.mul(y)).add(z.mul(z));
-        }
-        for b in 0..3 {
-            inverse[b] = square[b].rsqrt();
-        }
-        let mut e = [zero; 3];
-        let mut most = [zero; 3];
-        let mut f = [zero; 3];
-        let mut slope = [zero; 3];
-        for b in 0..3 {
-            let (per_length, ramp, unloading) = match own {
-                None => (kinds[b].per_length, kinds[b].ramp, kinds[b].unloading.max(kinds[b].ramp)),
-                Some(own) => {
-                    let ramp = L::load(own[b][1]);
-                    (L::load(own[b][0]), ramp, kinds[b].unloading.max(ramp))
-                }
-            };
-            e[b] = square[b].mul(inverse[b]).mul(per_length).sub(one);
-            most[b] = L::load(top[b]).max(e[b]);
-            most[b].store(top[b]);
-            slope[b] = unloading;
-            f[b] = most[b].sub(kinds[b].knee).mul(ramp).add(kinds[b].knee_force);
-        }
-        let beyond = most[0].any_gt(kinds[0].knee)
-            | most[1].any_gt(kinds[1].knee)
-            | most[2].any_gt(kinds[2].knee);
-        if beyond {
-            for b in 0..3 {
-                f[b] = most[b].select_gt(kinds[b].knee, kinds[b].curve(most[b]), f[b]);
-            }
-        }
-        for b in 0..3 {
-            f[b] = f[b].sub(slope[b].mul(most[b].sub(e[b]))).max(zero);
-            f[b] = most[b].select_gt(kinds[b].rupture, zero, f[b]).mul(inverse[b]);
-        }
-        f
-    }
-}
-
-/// Vectors of the dome's constants at an instant.
-#[derive(Clone, Copy)]
-struct DomeLanes<L> {
-    cap_reach: L,
-    rim_reach: L,
-    ring: L,
-    seam: L,
-    stiffness: L,
-    cap_height: L,
-    ring_height: L,
-}
-
-impl<L: Lanes> DomeLanes<L> {
-    /// Contact force on nodes at `p` (from the axis, and from the flat net), N.
-    #[inline(always)]
-    unsafe fn push(&self, p: [L; 3]) -> [L; 3] {
-        // SAFETY: the caller promises the instruction set; registers alone are touched.
-        unsafe {
-            let zero = L::splat(L::Real::default());
-            let square = p[0].mul(p[0]).add(p[1].mul(p[1]));
-            let r_inverse = square.rsqrt();
-            let r = square.mul(r_inverse);
-            let over = p[2].sub(self.cap_height);
-            let seam = self.seam.mul(over);
-            let out = r.sub(seam.select_gt(r, zero, self.ring));
-            let height = seam.select_gt(r, self.cap_height, self.ring_height);
-            let reach = seam.select_gt(r, self.cap_reach, self.rim_reach);
-            let up = p[2].sub(height).max(zero);
-            let square = out.mul(out).add(up.mul(up));
-            let inverse = square.rsqrt();
-            let depth = reach.sub(square.mul(inverse)).max(zero);
-            let force = self.stiffness.mul(depth).mul(inverse);
-            let flat = force.mul(out).mul(r_inverse);
-            [flat.mul(p[0]), flat.mul(p[1]), force.mul(up)]
-        }
-    }
-}
+use super::places::{BLOCK, Places};
+use super::state::{BondKind, DomeValues, NetState};
+use super::sums::Window;
 
 /// Where the planes are. Copied out of the state, so that a store into a plane cannot be taken for a
 /// change of the state itself and everything here can stay in registers.
@@ -176,46 +32,48 @@ struct Planes<R> {
     inertia: [*const R; 3],
     top: [*mut R; 3],
     own: [[*const R; 2]; 3],
-    forces: [[[*mut R; 3]; 3]; 3],
+    /// At the first block of the panel.
+    forces: [[[*mut R; 3]; 3]; 2],
     held: [*const R; 2],
-    across: *const R,
+    from_axis: [[*const R; 3]; MOST_BLOCKS],
+    pushes: [[*mut R; 2]; MOST_BLOCKS],
+    supports: [*mut R; 3],
     sums: *mut R,
-    target: *const usize,
     near: *const u8,
     holds: *const bool,
-    stride: usize,
-    places: usize,
-    rows: usize,
-    columns: usize,
+    places: Places,
 }
 
 impl<R: Real> Planes<R> {
     fn new(state: &mut NetState<R>) -> Planes<R> {
+        let carried = state.places.carried;
+        let mut from_axis = [[std::ptr::null(); 3]; MOST_BLOCKS];
+        for (to, planes) in from_axis.iter_mut().zip(&state.from_axis) {
+            *to = planes.each_ref().map(|p| p.as_ptr());
+        }
+        let mut pushes = [[std::ptr::null_mut(); 2]; MOST_BLOCKS];
+        for (to, planes) in pushes.iter_mut().zip(&mut state.pushes) {
+            *to = planes.each_mut().map(|p| p.as_mut_ptr());
+        }
         Planes {
             moved: state.moved.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             velocity: state.velocity.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             inertia: state.inertia.each_ref().map(|p| p.as_ptr()),
             top: state.top.each_mut().map(|p| p.as_mut_ptr()),
             own: state.own.each_ref().map(|role| role.each_ref().map(|p| p.as_ptr())),
-            forces: state
-                .forces
-                .each_mut()
-                .map(|row| row.each_mut().map(|side| side.each_mut().map(|p| p.as_mut_ptr()))),
+            forces: state.forces.each_mut().map(|kind| {
+                kind.each_mut()
+                    .map(|role| role.each_mut().map(|p| p.as_mut_ptr().wrapping_add(carried)))
+            }),
             held: state.held.each_ref().map(|p| p.as_ptr()),
-            across: state.across.as_ptr(),
+            from_axis,
+            pushes,
+            supports: state.supports.each_mut().map(|p| p.as_mut_ptr()),
             sums: state.sums.all.as_mut_ptr(),
-            target: state.sums.target.as_ptr(),
             near: state.near.as_ptr(),
             holds: state.holds.as_ptr(),
-            stride: state.stride,
-            places: state.sums.places,
-            rows: state.rows,
-            columns: state.columns,
+            places: state.places,
         }
-    }
-
-    fn at(&self, row: usize, column: usize) -> usize {
-        PAD + row * self.stride + column
     }
 }
 
@@ -234,91 +92,204 @@ struct Step<'a, L: Lanes> {
     planes: Planes<L::Real>,
     kinds: &'a [BondKind<L::Real>; 2],
     rest: (L::Real, [L::Real; 2]),
-    along: &'a [[L::Real; 2]],
     dome: DomeValues<L::Real>,
     heights: [L::Real; 2],
     out_of_plane: L::Real,
     keep: L::Real,
     grain: L::Real,
-    periodic: bool,
 }
 
-/// Takes one step of `state` with the dome at `heights`.
+/// Even and odd rows.
+const EVEN: usize = 0;
+const ODD: usize = 1;
+
+/// Takes some steps of `state`, with the dome at `heights` of each.
 ///
 /// # Safety
 /// The processor has the instruction set of `L`.
 #[inline(always)]
-pub(crate) unsafe fn step<L: Lanes, const UNIFORM: bool>(
+pub(crate) unsafe fn run<L: Lanes, const UNIFORM: bool>(
     state: &mut NetState<L::Real>,
-    heights: DomeHeights,
+    steps: usize,
+    heights: &dyn Fn(usize) -> DomeHeights,
 ) {
-    let Some(last) = state.rows.checked_sub(1) else { return };
-    if state.periodic {
-        // The first row's bottoms, as they are before they move, are those above the last row.
-        let (first, ghost) = (state.at(0, 0) - 1, state.at(state.rows, 0) - 1);
-        let width = state.columns + 2;
-        for plane in &mut state.moved[0] {
-            plane.copy_within(first..first + width, ghost);
-        }
-    }
-    let step = Step::<L> {
+    let mut step = Step::<L> {
         planes: Planes::new(state),
         kinds: &state.kinds,
         rest: state.rest,
-        along: &state.along,
         dome: state.dome,
-        heights: [L::Real::new(heights.cap), L::Real::new(heights.ring)],
+        heights: [L::Real::default(); 2],
         out_of_plane: state.out_of_plane,
         keep: state.keep,
         grain: state.grain,
-        periodic: state.periodic,
     };
-    // SAFETY: the caller promises the instruction set; every row asked for is below `rows`, and the
-    // planes are those of a `NetState`, which sizes them (see there).
-    unsafe {
-        bonds::<L, UNIFORM>(&step, last, LAST);
-        let mut below = LAST;
-        for row in 0..last {
-            let own = row % 2;
-            bonds::<L, UNIFORM>(&step, row, own);
-            nodes::<L>(&step, row, own, below);
-            below = own;
+    for number in 0..steps {
+        let heights = heights(number);
+        step.heights = [L::Real::new(heights.cap), L::Real::new(heights.ring)];
+        // SAFETY: the caller promises the instruction set; the planes are those of a `NetState`, which sizes
+        // them (see there), and nothing else looks at them meanwhile.
+        unsafe {
+            one::<L, UNIFORM>(&step, state.periodic);
+            gather::<L>(&step.planes, &state.sums.pushed, &state.sums.held);
         }
-        nodes::<L>(&step, last, LAST, below);
+        if state.sums.settle() {
+            step.planes.sums = state.sums.all.as_mut_ptr();
+        }
     }
 }
 
-/// Buffer of the last row's bonds: the first row needs their forces too. The other buffers belong to
-/// even and odd rows.
-const LAST: usize = 2;
-
-/// Forces of a row's twists and of the single wires above it, into a buffer.
+/// Moves the net by one step.
 #[inline(always)]
-unsafe fn bonds<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, row: usize, own: usize) {
+unsafe fn one<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, periodic: bool) {
     let planes = &step.planes;
-    // Whole vectors, then what is left of the row in steps of the shorter ones.
-    let columns = planes.columns.div_ceil(8) * 8;
-    let mut column = 0;
-    // SAFETY: the caller promises the instruction set and a row that exists. `columns` is rounded up to
-    // 8, which is at most the stride, so each vector starts and ends in the row; the ghosts are the
-    // places before the first column and behind the last one, within the row buffer's pads.
+    let Places { blocks, panel, .. } = planes.places;
+    // SAFETY: the caller promises the instruction set and planes of a `NetState`; every block asked for is
+    // below `blocks` and within the panel, one before it or one behind it.
     unsafe {
-        while column + L::N <= columns {
-            bonds_at::<L, UNIFORM>(planes, step.kinds, step.rest, row, column, own);
-            column += L::N;
+        if periodic {
+            repeat_first_row(planes);
         }
-        while column < columns {
-            bonds_at::<L::Tail, UNIFORM>(planes, step.kinds, step.rest, row, column, own);
-            column += L::Tail::N;
+        beforehand::<L, UNIFORM>(step);
+        let mut from = 0;
+        while from < blocks {
+            let to = (from + panel).min(blocks);
+            for block in from..to {
+                if block + 1 < blocks {
+                    bonds::<L, UNIFORM, EVEN>(step, block + 1, from);
+                }
+                bonds::<L, UNIFORM, ODD>(step, block, from);
+                // A block behind, so that what is read across has left the processor's store queue.
+                if let Some(block) = block.checked_sub(1) {
+                    nodes::<L, EVEN>(step, block, from);
+                    nodes::<L, ODD>(step, block, from);
+                }
+            }
+            if to < blocks {
+                carry(planes);
+            } else {
+                nodes::<L, EVEN>(step, blocks - 1, from);
+                nodes::<L, ODD>(step, blocks - 1, from);
+            }
+            from = to;
         }
-        if step.periodic {
-            let (first, end) = (PAD, PAD + planes.columns);
-            let [_, left, right] = planes.forces[own];
-            for k in 0..3 {
-                *left[k].add(end) = *left[k].add(first);
-                *right[k].add(first - 1) = *right[k].add(end - 1);
+        if periodic {
+            move_ghosts(planes);
+        }
+    }
+}
+
+/// The first row's bottoms, as they are before they move, are those above the last row.
+#[inline(always)]
+unsafe fn repeat_first_row<R: Real>(planes: &Planes<R>) {
+    let Places { stride, rows, first, .. } = planes.places;
+    // SAFETY: both rows are in the planes, the second behind the last even one.
+    unsafe {
+        for plane in planes.moved[0] {
+            let from = plane.add(first[EVEN]);
+            from.copy_to_nonoverlapping(from.add(rows / 2 * stride), stride);
+        }
+    }
+}
+
+/// Forces that are needed before their turn: of the last odd row with its ghost, as those of a row before the
+/// first one, of the ghost before the first odd row, and of the first even block. They come again in their turn,
+/// with the same bits, as nothing that they are made of moves before.
+#[inline(always)]
+unsafe fn beforehand<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>) {
+    let Places { stride, rows, .. } = step.planes.places;
+    let last = ((rows.div_ceil(2) - 1) * stride) as isize - 1;
+    let stride = stride as isize;
+    // SAFETY: the caller promises the instruction set. The vectors are within the planes, whose first place is
+    // a block before the first odd row, and before the panel is room for a row and a ghost.
+    unsafe {
+        let mut k = 0;
+        while k < stride {
+            bonds_at::<L, UNIFORM, ODD>(step, last + k, k - stride - 1);
+            k += L::N as isize;
+        }
+        bonds_at::<L, UNIFORM, ODD>(step, -1, -1);
+        bonds::<L, UNIFORM, EVEN>(step, 0, 0);
+    }
+}
+
+/// Brings the forces that the next panel needs of this one to where it looks for them.
+#[inline(always)]
+unsafe fn carry<R: Real>(planes: &Planes<R>) {
+    let Places { carried, panel, .. } = planes.places;
+    let way = panel * BLOCK;
+    // SAFETY: a buffer has what is carried, a panel and a block, and a panel is at least as long as the rest.
+    unsafe {
+        for plane in planes.forces[EVEN].iter().flatten() {
+            plane.add(way).sub(BLOCK).copy_to_nonoverlapping(plane.sub(BLOCK), 2 * BLOCK);
+        }
+        let [twist, wires @ ..] = planes.forces[ODD];
+        for plane in twist {
+            plane.add(way).sub(BLOCK).copy_to_nonoverlapping(plane.sub(BLOCK), BLOCK);
+        }
+        for plane in wires.iter().flatten() {
+            plane.add(way).sub(carried).copy_to_nonoverlapping(plane.sub(carried), carried);
+        }
+    }
+}
+
+/// See [`NetState::move_ghosts`]; here in each step, so in a loop without iterators.
+#[inline(always)]
+unsafe fn move_ghosts<R: Real>(planes: &Planes<R>) {
+    let Places { stride, columns, rows, first, .. } = planes.places;
+    for end in 0..2 {
+        for axis in 0..3 {
+            let plane = planes.moved[end][axis];
+            let mut row = 0;
+            while row < rows / 2 * stride {
+                // SAFETY: these are ghosts and pairs of the planes, see `Places::ghosts`.
+                unsafe {
+                    let (even, odd) = (plane.add(first[EVEN] + row), plane.add(first[ODD] + row));
+                    *even.add(columns) = *even;
+                    *odd.sub(1) = *odd.add(columns - 1);
+                }
+                row += stride;
             }
         }
+    }
+}
+
+/// Adds what the domes and the anchors felt in a step to the sums, row by row.
+#[inline(always)]
+unsafe fn gather<L: Lanes>(planes: &Planes<L::Real>, pushed: &[Window], held: &[Window]) {
+    let width = planes.places.sums();
+    // SAFETY: the caller promises the instruction set; a window is a block of places within the planes and of
+    // sums within theirs.
+    unsafe {
+        for window in pushed {
+            let [bottom, top] = planes.pushes[window.dome];
+            for k in (0..BLOCK).step_by(L::N) {
+                let sum = planes.sums.add(window.sum + k);
+                let at = window.at + k;
+                L::load(sum).add(L::load(bottom.add(at))).add(L::load(top.add(at))).store(sum);
+            }
+        }
+        for window in held {
+            for (axis, plane) in planes.supports.into_iter().enumerate() {
+                for k in (0..BLOCK).step_by(L::N) {
+                    let sum = planes.sums.add(window.sum + axis * width + k);
+                    L::load(sum).add(L::load(plane.add(window.at + k))).store(sum);
+                }
+            }
+        }
+    }
+}
+
+/// Forces of a block's twists and of the single wires above it, in the panel that begins with block `panel`.
+#[inline(always)]
+unsafe fn bonds<L: Lanes, const UNIFORM: bool, const KIND: usize>(
+    step: &Step<'_, L>,
+    block: usize,
+    panel: usize,
+) {
+    for k in (0..BLOCK).step_by(L::N) {
+        let (place, to) = (block * BLOCK + k, (block - panel) * BLOCK + k);
+        // SAFETY: the caller promises the instruction set and a block that exists.
+        unsafe { bonds_at::<L, UNIFORM, KIND>(step, place as isize, to as isize) };
     }
 }
 
@@ -327,28 +298,29 @@ unsafe fn bonds<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, row: usize, o
 /// A function and not a closure: closures do not take part in forced inlining, without which the
 /// vectors would go through memory.
 #[inline(always)]
-unsafe fn three<L: Lanes>(planes: [*mut L::Real; 3], at: usize) -> [L; 3] {
+unsafe fn three<L: Lanes>(planes: [*mut L::Real; 3], at: isize) -> [L; 3] {
+    let [x, y, z] = planes;
     // SAFETY: the caller promises the instruction set, and that a vector at `at` is within the planes.
-    unsafe { [L::load(planes[0].add(at)), L::load(planes[1].add(at)), L::load(planes[2].add(at))] }
+    unsafe { [L::load(x.offset(at)), L::load(y.offset(at)), L::load(z.offset(at))] }
 }
 
+/// Those of a vector, `place` places behind the first one of its kind of rows, `to` places behind the panel's
+/// first one.
 #[inline(always)]
-unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
-    planes: &Planes<L::Real>,
-    kinds: &[BondKind<L::Real>; 2],
-    rest: (L::Real, [L::Real; 2]),
-    row: usize,
-    column: usize,
-    own: usize,
+unsafe fn bonds_at<L: Lanes, const UNIFORM: bool, const KIND: usize>(
+    step: &Step<'_, L>,
+    place: isize,
+    to: isize,
 ) {
-    let here = planes.at(row, column);
-    let there = planes.at(row + 1, column);
+    let Step { planes, kinds, rest, .. } = step;
+    let Places { first, stride, .. } = planes.places;
+    let [even, odd] = first.map(|first| first as isize + place);
     // Odd rows stand half an opening to the right (see `lattice`).
-    let ends = if row.is_multiple_of(2) { [there - 1, there] } else { [there, there + 1] };
-    // SAFETY: the caller promises the instruction set and a vector from `column` on within the row.
-    // `here` is in a row of the planes and `there` in the next one, the last row's next being the ghost
-    // row; a place to either side is still within the pads. Row buffers have a stride and two pads, and
-    // `own` has the size of a plane where `UNIFORM` is false.
+    let (here, right) = if KIND == EVEN { (even, odd) } else { (odd, even + stride as isize + 1) };
+    let ends = [right - 1, right];
+    // SAFETY: the caller promises the instruction set and a vector in a block. Behind the last block of odd rows
+    // the even ones have a row and a place more, and before each kind of rows there is a block. `own` has the
+    // size of a plane where `UNIFORM` is false.
     unsafe {
         let twist = KindLanes::<L>::new(&kinds[0]);
         let single = KindLanes::<L>::new(&kinds[1]);
@@ -369,78 +341,53 @@ unsafe fn bonds_at<L: Lanes, const UNIFORM: bool>(
             None
         } else {
             Some([
-                [a[0].add(here), a[1].add(here)],
-                [b[0].add(here), b[1].add(here)],
-                [c[0].add(here), c[1].add(here)],
+                [a[0].offset(here), a[1].offset(here)],
+                [b[0].offset(here), b[1].offset(here)],
+                [c[0].offset(here), c[1].offset(here)],
             ])
         };
         let [a, b, c] = planes.top;
-        let most = [a.add(here), b.add(here), c.add(here)];
+        let most = [a.offset(here), b.offset(here), c.offset(here)];
         let pull = pulls([&twist, &single, &single], d, most, values);
         for bond in 0..3 {
-            for (along, plane) in d[bond].iter().zip(planes.forces[own][bond]) {
-                pull[bond].mul(*along).store(plane.add(PAD + column));
+            for (along, plane) in d[bond].iter().zip(planes.forces[KIND][bond]) {
+                pull[bond].mul(*along).store(plane.offset(to));
             }
         }
     }
 }
 
-/// Moves the pairs of `row`, by its own bonds (buffer `own`) and those of the row below (`below`).
+/// Moves the pairs of a block, by the forces of their own bonds and of the wires from below, which are in the
+/// panel that begins with block `panel`.
 #[inline(always)]
-unsafe fn nodes<L: Lanes>(step: &Step<'_, L>, row: usize, own: usize, below: usize) {
-    let planes = &step.planes;
-    let columns = planes.columns.div_ceil(8) * 8;
-    let mut column = 0;
-    // SAFETY: the caller promises the instruction set and a row that exists. `columns` is rounded up to
-    // 8, which is at most the stride, so each vector starts and ends in the row; the ghosts are the
-    // places before the first column and behind the last one, which every row of a plane has.
-    unsafe {
-        while column + L::N <= columns {
-            nodes_at::<L, L>(step, row, column, own, below);
-            column += L::N;
-        }
-        while column < columns {
-            nodes_at::<L::Tail, L>(step, row, column, own, below);
-            column += L::Tail::N;
-        }
-        if step.periodic {
-            let (first, end) = (planes.at(row, 0), planes.at(row, planes.columns));
-            for plane in planes.moved[0] {
-                *plane.add(first - 1) = *plane.add(end - 1);
-                *plane.add(end) = *plane.add(first);
-            }
-        }
+unsafe fn nodes<L: Lanes, const KIND: usize>(step: &Step<'_, L>, block: usize, panel: usize) {
+    let first = step.planes.places.first[KIND];
+    for k in (0..BLOCK).step_by(L::N) {
+        let at = first + block * BLOCK + k;
+        let from = (block * BLOCK + k) as isize - (panel * BLOCK) as isize;
+        // SAFETY: the caller promises the instruction set and a block that exists.
+        unsafe { nodes_at::<L, KIND>(step, at, from) };
     }
 }
 
+/// Those of a vector at a place of the planes, whose forces are `from` places behind the panel's first one.
 #[inline(always)]
-unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
-    step: &Step<'_, W>,
-    row: usize,
-    column: usize,
-    own: usize,
-    below: usize,
-) {
+unsafe fn nodes_at<L: Lanes, const KIND: usize>(step: &Step<'_, L>, at: usize, from: isize) {
     let planes = &step.planes;
-    let at = planes.at(row, column);
-    let place = PAD + column;
-    let block = (row * planes.stride + column) / BLOCK;
-    // Which wires from below end at this bottom node: see `lattice`.
-    let (from_left, from_right) =
-        if row % 2 == 1 { (place + 1, place) } else { (place, place - 1) };
-    // SAFETY: the caller promises the instruction set and a vector from `column` on within a row that
-    // exists: `at` is in the planes, `place` and a place to either side in the row buffers with their
-    // pads, `block` in `near` and `holds`, which have a place for each block of each row, and each row's
-    // target has three rows of sums behind it.
+    let block = at / BLOCK;
+    // SAFETY: the caller promises the instruction set and a vector in a block of the panel or in the one
+    // before it, the forces of which are carried, as are those of a row and a place before them; behind the
+    // last one there is another. `near` and `holds` have a place for each block of a plane.
     unsafe {
-        let moved = [three::<L>(planes.moved[0], at), three::<L>(planes.moved[1], at)];
-        let twist = three::<L>(planes.forces[own][0], place);
-        let up =
-            [three::<L>(planes.forces[own][1], place), three::<L>(planes.forces[own][2], place)];
-        let down = [
-            three::<L>(planes.forces[below][1], from_left),
-            three::<L>(planes.forces[below][2], from_right),
-        ];
+        let here = at as isize;
+        let moved = [three::<L>(planes.moved[0], here), three::<L>(planes.moved[1], here)];
+        let own = &planes.forces[KIND];
+        let twist = three::<L>(own[0], from);
+        let up = [three::<L>(own[1], from), three::<L>(own[2], from)];
+        // Which wires from below end at this bottom node (see `lattice`): a left one, a right one.
+        let below = &planes.forces[1 - KIND];
+        let right = if KIND == ODD { from } else { from - planes.places.stride as isize - 1 };
+        let down = [three::<L>(below[1], right + 1), three::<L>(below[2], right)];
         let mut force = moved;
         for k in 0..3 {
             force[0][k] = twist[k].sub(down[0][k].add(down[1][k]));
@@ -449,16 +396,14 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
         let mut domes = *planes.near.add(block);
         while domes != 0 {
             let dome = domes.trailing_zeros() as usize;
-            contact::<L, W>(step, row, column, dome, &moved, &mut force);
+            contact::<L>(step, at, dome, &moved, &mut force);
             domes &= domes - 1;
         }
         if *planes.holds.add(block) {
             let held = [L::load(planes.held[0].add(at)), L::load(planes.held[1].add(at))];
-            let first = *planes.target.add(row);
             for (k, (bottom, top)) in force[0].iter().zip(&force[1]).enumerate() {
-                let sum = planes.sums.add((first + k) * planes.places + place);
                 let support = held[0].mul(*bottom).add(held[1].mul(*top));
-                L::load(sum).add(support).store(sum);
+                support.store(planes.supports[k].add(at));
             }
         }
         let keep = L::splat(step.keep);
@@ -482,43 +427,28 @@ unsafe fn nodes_at<L: Lanes<Real = W::Real>, W: Lanes>(
     }
 }
 
-/// Adds a dome's push on the nodes of a block and sums it up.
+/// Adds a dome's push on the nodes of a vector, and keeps it.
 #[inline(always)]
-unsafe fn contact<L: Lanes<Real = W::Real>, W: Lanes>(
-    step: &Step<'_, W>,
-    row: usize,
-    column: usize,
+unsafe fn contact<L: Lanes>(
+    step: &Step<'_, L>,
+    at: usize,
     dome: usize,
     moved: &[[L; 3]; 2],
     force: &mut [[L; 3]; 2],
 ) {
-    // SAFETY: as in `nodes_at`, which hands on its own row and column, and a dome that exists: each has two
-    // rows in `across` and one of sums.
+    // SAFETY: as in `nodes_at`, which hands on its own place, and a dome that exists.
     unsafe {
-        let place = PAD + column;
-        let (planes, along) = (&step.planes, &step.along[dome * step.planes.rows + row]);
-        let values = &step.dome;
-        let shape = DomeLanes::<L> {
-            cap_reach: L::splat(values.cap_reach),
-            rim_reach: L::splat(values.rim_reach),
-            ring: L::splat(values.ring),
-            seam: L::splat(values.seam),
-            stiffness: L::splat(values.stiffness),
-            cap_height: L::splat(step.heights[0]),
-            ring_height: L::splat(step.heights[1]),
-        };
-        let across = L::load(planes.across.add((2 * dome + row % 2) * planes.places + place));
-        let sum = planes.sums.add(dome * planes.places + place);
-        let mut total = L::load(sum);
+        let shape = DomeLanes::<L>::new(&step.dome, step.heights);
+        let [across, along @ ..] = step.planes.from_axis[dome];
+        let across = L::load(across.add(at));
         for end in 0..2 {
             let u = moved[end];
-            let p = [u[0].add(across), u[1].add(L::splat(along[end])), u[2]];
+            let p = [u[0].add(across), u[1].add(L::load(along[end].add(at))), u[2]];
             let push = shape.push(p);
             for k in 0..3 {
                 force[end][k] = force[end][k].add(push[k]);
             }
-            total = total.add(push[2]);
+            push[2].store(step.planes.pushes[dome][end].add(at));
         }
-        total.store(sum);
     }
 }

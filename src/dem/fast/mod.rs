@@ -6,21 +6,23 @@
 //!   instead of the elastic one, which allows a step 2.5 times longer. In reference runs the true slope stays.
 //! - *Single precision* of displacements (not positions); reference runs use double precision.
 //! - *An inverse square root* good to 1e-6 in single precision (see [`lanes`]).
-//! - *Contact under the dome alone*, in blocks of columns found anew every few steps with a margin.
+//! - *Contact under the dome alone*, in blocks of places found anew every few steps with a margin.
 //!   The search comes earlier where a node is fast enough to cross the margin by then (see [`reach`]);
 //!   one that crossed it all the same was pushed by nothing, and the run counts as diverged.
 //! - *No periodic images* where the net ends, *no values of single bonds* where all are alike.
 //!
-//! Files: [`state`] the planes, [`reach`] the search, [`kernel`] one step, [`lanes`] the vectors,
+//! Files: [`state`] the planes, [`places`] where the pairs stand in them, [`force`] what acts on them, [`reach`] the search, [`kernel`] one step, [`lanes`] the vectors,
 //! [`path`] which of them the processor has, this one the driver.
 //!
 //! Nothing outside can make it read past a plane or run an instruction that the processor lacks:
 //! [`NetState`] has private fields and one constructor, which sizes every plane, and a [`Path`] is had
 //! by detection alone.
 
+mod force;
 mod kernel;
 pub(crate) mod lanes;
 mod path;
+mod places;
 mod plane;
 mod reach;
 pub(crate) mod state;
@@ -35,8 +37,9 @@ pub use kernel::DomeHeights;
 use lanes::{Portable, Real};
 pub use path::Path;
 use path::Set;
+use places::{BLOCK, Places};
 pub use state::NetState;
-use state::{BLOCK, BondValues, MISSING, bond_values, curve};
+use state::{BondValues, bond_values, curve};
 
 /// The fast solver.
 #[derive(Debug, Clone)]
@@ -120,7 +123,8 @@ impl<R: Kernel> Fast<R> {
     /// Visits every bond that exists: number, place in its plane, role.
     fn each_bond(&self, mut visit: impl FnMut(usize, usize, Role)) {
         for pair in 0..self.scene.lattice.pairs() {
-            let (row, column) = (pair / self.state.columns, pair % self.state.columns);
+            let (row, column) =
+                (pair / self.scene.lattice.columns, pair % self.scene.lattice.columns);
             for role in Role::ALL {
                 if self.scene.lattice.has(row, column, role) {
                     visit(bond_number(pair, role), self.state.at(row, column), role);
@@ -177,13 +181,12 @@ impl<R: Kernel> Stepper for Fast<R> {
 
     fn broken(&self, known: &mut Vec<usize>) -> usize {
         let mut count = 0;
-        let missing = R::new(MISSING);
         for (k, plane) in self.state.top.iter().enumerate() {
             let rupture = self.state.kinds[usize::from(k > 0)].rupture;
-            for row in 0..self.state.rows {
+            for row in 0..self.scene.lattice.rows {
                 let at = self.state.at(row, 0);
-                for top in &plane[at..at + self.state.columns] {
-                    count += u32::from(*top > rupture && *top != missing);
+                for top in &plane[at..at + self.scene.lattice.columns] {
+                    count += u32::from(*top > rupture); // What is missing is no number.
                 }
             }
         }
@@ -203,8 +206,9 @@ impl<R: Kernel> Stepper for Fast<R> {
     fn kinetic(&self) -> f64 {
         let state = &self.state;
         let mut energy = 0.0;
-        for row in 0..state.rows {
-            let (first, columns) = (state.at(row, 0), state.columns);
+        let Places { rows, columns, .. } = state.places;
+        for row in 0..rows {
+            let first = state.at(row, 0);
             let planes = |end: usize| {
                 state.velocity[end].each_ref().map(|plane| &plane[first..first + columns])
             };
@@ -222,9 +226,10 @@ impl<R: Kernel> Stepper for Fast<R> {
         let (state, lattice) = (&self.state, &self.scene.lattice);
         let alike = Role::ALL
             .map(|role| bond_values(&self.scene, bond_number(0, role), role, self.unloading));
+        let Places { rows, columns, .. } = state.places;
         let mut bonds = 0.0;
-        for row in 0..state.rows {
-            for column in 0..state.columns {
+        for row in 0..rows {
+            for column in 0..columns {
                 let at = state.at(row, column);
                 let (bottom, top) = (self.node(0, at), self.node(1, at));
                 for role in Role::ALL {
@@ -256,17 +261,15 @@ impl<R: Kernel> Stepper for Fast<R> {
             }
         }
         let mut contact = 0.0;
-        for row in 0..state.rows {
-            for column in 0..state.columns {
-                let near = state.near[(row * state.stride + column) / BLOCK];
+        for row in 0..rows {
+            for column in 0..columns {
+                let at = state.at(row, column);
+                let near = state.near[at / BLOCK];
                 for dome in (0..state.domes()).filter(|dome| near >> dome & 1 == 1) {
                     for end in 0..2 {
-                        let u = self.node(end, state.at(row, column));
-                        let p = [
-                            u[0] + state.across[state.across_at(dome, row) + column].wide(),
-                            u[1] + state.along[dome * state.rows + row][end].wide(),
-                            u[2],
-                        ];
+                        let u = self.node(end, at);
+                        let [across, along @ ..] = &state.from_axis[dome];
+                        let p = [u[0] + across[at].wide(), u[1] + along[end][at].wide(), u[2]];
                         let depth = self.scene.dome.depth(p, self.deflection).0.max(0.0);
                         contact += 0.5 * self.scene.dome.stiffness * depth * depth;
                     }
@@ -281,7 +284,7 @@ impl<R: Kernel> Stepper for Fast<R> {
         let mut most = 0.0_f64;
         for (k, plane) in self.state.top.iter().enumerate() {
             let rupture = self.state.kinds[usize::from(k > 0)].rupture;
-            // Pads hold missing bonds, which are beyond rupture like broken ones. In eight lanes.
+            // Missing bonds are no numbers, and larger than none. In eight lanes.
             let mut top = [R::default(); 8];
             for eight in plane.chunks_exact(8) {
                 for (top, t) in top.iter_mut().zip(eight) {
@@ -299,7 +302,7 @@ impl<R: Kernel> Stepper for Fast<R> {
         let state = &self.state;
         let rupture = state.kinds[0].rupture;
         let (bottom, top) = (&state.velocity[0][1], &state.velocity[1][1]);
-        // In eight lanes. Planes are a multiple of that, and what is missing is beyond rupture.
+        // In eight lanes. Planes are a multiple of that, and what is missing is below no rupture.
         let mut most = [0.0_f64; 8];
         let eights = bottom.chunks_exact(8).zip(top.chunks_exact(8));
         for ((bottom, top), reached) in eights.zip(state.top[0].chunks_exact(8)) {
@@ -361,15 +364,9 @@ unsafe fn steps<L: lanes::Lanes>(
     // SAFETY: the caller promises the instruction set of `L`.
     unsafe {
         if state.uniform {
-            for step in 0..steps {
-                kernel::step::<L, true>(state, heights(step));
-                state.sums.settle();
-            }
+            kernel::run::<L, true>(state, steps, heights);
         } else {
-            for step in 0..steps {
-                kernel::step::<L, false>(state, heights(step));
-                state.sums.settle();
-            }
+            kernel::run::<L, false>(state, steps, heights);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Which blocks of columns may touch the dome until the next search.
+//! Which blocks of places may touch the dome until the next search.
 //!
 //! A block is marked where one of its nodes is within the dome's reach and a [`MARGIN`] of its axis. It
 //! is looked at anew after [`SEARCH`] steps, in which nodes move a few millimetres sideways in a
@@ -8,7 +8,8 @@
 //! marked before.
 
 use super::lanes::Real;
-use super::state::{BLOCK, NetState, PAD};
+use super::places::{BLOCK, Places};
+use super::state::NetState;
 
 /// Steps between two searches at most.
 const SEARCH: usize = 32;
@@ -32,18 +33,19 @@ pub(super) fn search<R: Real>(state: &mut NetState<R>, reach: f64) -> Found {
     let outer = (reach + MARGIN) * (reach + MARGIN);
     let before = state.near.clone();
     let mut missed = false;
+    let Places { columns, rows, .. } = state.places;
     state.near.fill(0);
     for dome in 0..state.domes() {
         let bit = 1 << dome;
-        for row in 0..state.rows {
+        for row in 0..rows {
             for end in 0..2 {
                 if far(state, dome, row, end, reach + MARGIN) {
                     continue;
                 }
-                for column in 0..state.columns {
+                for column in 0..columns {
                     let square = square_distance(state, dome, row, end, column);
                     if square < outer {
-                        let block = (row * state.stride + column) / BLOCK;
+                        let block = state.at(row, column) / BLOCK;
                         state.near[block] |= bit;
                         missed |= square < reach * reach && before[block] & bit == 0;
                     }
@@ -51,12 +53,27 @@ pub(super) fn search<R: Real>(state: &mut NetState<R>, reach: f64) -> Found {
             }
         }
     }
+    state.sums.find_pushed(&state.places, &state.near);
+    forget(state, &before);
     Found { steps: steps_to(state, reach), missed }
+}
+
+/// Where a dome is near no longer it pushes nothing.
+fn forget<R: Real>(state: &mut NetState<R>, before: &[u8]) {
+    for (dome, pushes) in state.pushes.iter_mut().enumerate() {
+        for (block, (before, now)) in before.iter().zip(&state.near).enumerate() {
+            if before & !now & 1 << dome != 0 {
+                for plane in &mut *pushes {
+                    plane[block * BLOCK..][..BLOCK].fill(R::default());
+                }
+            }
+        }
+    }
 }
 
 /// Whether no node of a row's bottoms or tops can be this near to a punch's axis, however it moved along x.
 fn far<R: Real>(state: &NetState<R>, dome: usize, row: usize, end: usize, near: f64) -> bool {
-    let along = state.along[dome * state.rows + row][end].wide().abs();
+    let along = state.from_axis[dome][1 + end][state.at(row, 0)].wide().abs();
     // Rows at the punch need no look at how far their nodes have moved.
     along > near && along - most(row_of(state, &state.moved[end][1], row)) > near
 }
@@ -64,7 +81,7 @@ fn far<R: Real>(state: &NetState<R>, dome: usize, row: usize, end: usize, near: 
 /// The columns of a row in a plane.
 fn row_of<'a, R: Real>(state: &NetState<R>, plane: &'a [R], row: usize) -> &'a [R] {
     let first = state.at(row, 0);
-    &plane[first..first + state.columns]
+    &plane[first..first + state.places.columns]
 }
 
 /// Largest size of some numbers, in eight lanes.
@@ -89,11 +106,17 @@ fn steps_to<R: Real>(state: &NetState<R>, reach: f64) -> usize {
     if way <= MARGIN {
         return SEARCH;
     }
+    let Places { columns, rows, .. } = state.places;
     let mut steps = SEARCH as f64;
     for dome in 0..state.domes() {
-        for row in 0..state.rows {
-            for column in 0..state.columns {
-                if state.near[(row * state.stride + column) / BLOCK] >> dome & 1 == 1 {
+        for row in 0..rows {
+            let far = [0, 1].map(|end| far(state, dome, row, end, reach + way));
+            if far == [true; 2] {
+                continue;
+            }
+            for column in 0..columns {
+                let at = state.at(row, column);
+                if state.near[at / BLOCK] >> dome & 1 == 1 {
                     continue;
                 }
                 for end in 0..2 {
@@ -101,7 +124,6 @@ fn steps_to<R: Real>(state: &NetState<R>, reach: f64) -> usize {
                     if square > (reach + way) * (reach + way) {
                         continue;
                     }
-                    let at = state.at(row, column);
                     let [x, y] = [0, 1].map(|k| state.velocity[end][k][at].wide());
                     let speed = GAIN * (x * x + y * y).sqrt();
                     let gap = square.sqrt() - reach;
@@ -123,10 +145,10 @@ fn square_distance<R: Real>(
     end: usize,
     column: usize,
 ) -> f64 {
-    let at = PAD + row * state.stride + column;
-    let x =
-        state.across[state.across_at(dome, row) + column].wide() + state.moved[end][0][at].wide();
-    let y = state.along[dome * state.rows + row][end].wide() + state.moved[end][1][at].wide();
+    let at = state.at(row, column);
+    let [across, along @ ..] = &state.from_axis[dome];
+    let x = across[at].wide() + state.moved[end][0][at].wide();
+    let y = along[end][at].wide() + state.moved[end][1][at].wide();
     x * x + y * y
 }
 
@@ -163,9 +185,10 @@ mod tests {
 
     /// The unmarked bottom node that is nearest to the axis: row, column, distance.
     fn nearest_unmarked(state: &NetState<f64>) -> (usize, usize, f64) {
-        let places = (0..state.rows).flat_map(|r| (0..state.columns).map(move |c| (r, c)));
+        let places =
+            (0..state.places.rows).flat_map(|r| (0..state.places.columns).map(move |c| (r, c)));
         places
-            .filter(|(r, c)| state.near[(r * state.stride + c) / BLOCK] == 0)
+            .filter(|(r, c)| state.near[state.at(*r, *c) / BLOCK] == 0)
             .map(|(r, c)| (r, c, square_distance(state, 0, r, 0, c).sqrt()))
             .min_by(|a, b| a.2.total_cmp(&b.2))
             .unwrap()
@@ -222,7 +245,7 @@ mod tests {
         let (state, reach) = (&mut fast.state, scene.dome.reach());
         let y = scene.from_axis(scene.lattice.bottom(0, 3));
         state.put(0, 0, 3, [-y[0], -y[1], 0.0]);
-        assert!(search(state, reach).missed && state.near[3 / BLOCK] == 1);
+        assert!(search(state, reach).missed && state.near[state.at(0, 3) / BLOCK] == 1);
         assert!(!search(state, reach).missed);
     }
 }

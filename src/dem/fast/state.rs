@@ -1,25 +1,21 @@
-//! The fast solver's state: planes of numbers, one for each quantity, that the kernel walks row by row.
+//! The fast solver's state: planes of numbers, one for each quantity, that the kernel walks block by block.
 //!
-//! A plane holds one number for each pair. Row i, column j stands at `PAD + i * stride + j`; the
-//! stride is a multiple of the widest vector with at least two places to spare, so that the place
-//! after a row's last column and the one before the next row's first are *ghosts*: in a periodic
-//! net they repeat the row's other end. One ghost row above the last repeats the first one's
-//! bottoms. Everything behind a row's end is fixed and its bonds are broken, so that it adds nothing.
+//! A plane holds one number for each pair, where [`Places`] says.
 
 use super::super::inertia::PairInertia;
 use super::super::lattice::Role;
 use super::super::law::{BondCurve, Ramp};
 use super::super::scene::Scene;
 use super::lanes::Real;
+use super::places::{BLOCK, Places};
 use super::plane::Plane;
 use super::sums::Sums;
 
-/// Places before the first row and behind the last one.
-pub(super) const PAD: usize = 16;
-/// Columns are dealt with in blocks of this many: the widest vector.
-pub(super) const BLOCK: usize = 16;
-/// Largest strain of a bond that is not there: far beyond any rupture.
-pub(super) const MISSING: f64 = 1.0e3;
+/// Largest strain of a bond that is not there: no number, which no strain replaces, which is beyond no limit
+/// and gives no force.
+pub(super) const MISSING: f64 = f64::NAN;
+/// Place of what is no pair from a dome's axis, m: out of reach.
+const AWAY: f64 = 1.0e3;
 
 /// How the loading curve behind the ramp is evaluated.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,26 +114,21 @@ pub(super) type Three<R> = [Plane<R>; 3];
 /// The state and all constants of a run.
 ///
 /// The kernel walks the planes by addresses, and what keeps it inside them is made by the constructor and
-/// never changed: `stride` is a multiple of [`BLOCK`] and at least `columns + 2`; the planes have
-/// `2 PAD + (rows + 1) stride` places, those of a row `2 PAD + stride`, `own` as many as a plane unless
-/// `uniform`, `holds` and `near` `rows stride / BLOCK`; `across` two rows' places and `along` `rows` for
-/// each of the domes, of which `near` has no more bits; [`PAD`] is a vector. Of the sums see there.
+/// never changed: the planes have `places.len` places, `own` as many unless `uniform`, `near` and `holds` one
+/// for each [`BLOCK`] of them; those of `forces` are buffers of `places.buffered()`; `from_axis` and `pushes` are as many as the domes, of which `near` has no more bits.
+/// Of the sums see there.
 ///
 /// ```compile_fail,E0616
 /// fn more(state: &mut meshcast::dem::fast::NetState<f32>) {
-///     state.rows += 1;
+///     state.places.rows += 1;
 /// }
 /// ```
 #[derive(Debug, Clone)]
 pub struct NetState<R: Copy> {
-    /// Columns and rows of pairs.
-    pub(super) columns: usize,
-    /// Rows of pairs.
-    pub(super) rows: usize,
+    /// Where the pairs stand.
+    pub(super) places: Places,
     /// Whether the net goes on beyond its edges.
     pub(super) periodic: bool,
-    /// Distance in a plane from a row to the next.
-    pub(super) stride: usize,
     /// Displacements of the bottom and the top nodes, m.
     pub(super) moved: [Three<R>; 2],
     /// Displacements in the last step, m.
@@ -156,18 +147,20 @@ pub struct NetState<R: Copy> {
     pub(super) kinds: [BondKind<R>; 2],
     /// Rest vectors: twist (along y), and half the opening and the projection of a wire.
     pub(super) rest: (R, [R; 2]),
-    /// Forces of a row's bonds on their first nodes, N, by role; for even rows, odd rows and the last.
-    pub(super) forces: [[Three<R>; 3]; 3],
+    /// Forces of the bonds of some blocks on their first nodes, N, by role; of even rows, then of odd ones.
+    pub(super) forces: [[Three<R>; 3]; 2],
     /// 1 where the bottom or the top node is fixed, else 0.
     pub(super) held: [Plane<R>; 2],
-    /// Whether a block of a row holds a fixed node.
+    /// Whether a block holds a fixed node.
     pub(super) holds: Vec<bool>,
-    /// Which domes a block of a row may touch, a bit each.
+    /// Which domes a block may touch, a bit each.
     pub(super) near: Vec<u8>,
-    /// Place of the bottom nodes of even and odd rows from each dome's axis along x, m: two rows a dome.
-    pub(super) across: Plane<R>,
-    /// Place of a row's bottom and top nodes from each dome's axis along y, m: `rows` a dome.
-    pub(super) along: Vec<[R; 2]>,
+    /// Place of the nodes from each dome's axis in the flat net, m: x, then y of bottoms and of tops.
+    pub(super) from_axis: Vec<Three<R>>,
+    /// Push of each dome on bottoms and tops in the last step, N; 0 where it is not near.
+    pub(super) pushes: Vec<[Plane<R>; 2]>,
+    /// Force on fixed nodes in the last step, N; 0 where a block holds none.
+    pub(super) supports: Three<R>,
     /// Sums over rows and steps of forces by column, N (see [`super::sums`]).
     pub(super) sums: Sums<R>,
     /// Part of the velocity that stays after a step.
@@ -202,12 +195,12 @@ impl<R: Real> NetState<R> {
         keep: f64,
     ) -> NetState<R> {
         let lattice = &scene.lattice;
-        let (columns, rows) = (lattice.columns, lattice.rows);
-        let stride = (columns + 2).div_ceil(BLOCK) * BLOCK;
-        let size = 2 * PAD + (rows + 1) * stride;
+        let places = Places::new(lattice.columns, lattice.rows);
+        let size = places.len;
         let zeros = || Plane::new(R::default(), size);
         let three = || std::array::from_fn(|_| zeros());
-        let row_zeros = || Plane::new(R::default(), stride + 2 * PAD);
+        let of_forces = || Plane::new(R::default(), places.buffered());
+        let domes = scene.field.blocks.len();
         let samples = [Role::Twist, Role::Left].map(|role| {
             bond_values(scene, super::super::lattice::bond_number(0, role), role, unloading)
         });
@@ -221,13 +214,11 @@ impl<R: Real> NetState<R> {
         let plane_of_own = || Plane::new(R::new(1.0), if uniform { 0 } else { size });
         let dome = &scene.dome;
         let mut state = NetState {
-            columns,
-            rows,
+            places,
             periodic: lattice.periodic,
-            stride,
             moved: [three(), three()],
             velocity: [three(), three()],
-            inertia: std::array::from_fn(|_| zeros()),
+            inertia: three(),
             out_of_plane: R::new(1.0 / super::super::inertia::OUT_OF_PLANE),
             top: std::array::from_fn(|_| Plane::new(R::new(MISSING), size)),
             own: std::array::from_fn(|_| [plane_of_own(), plane_of_own()]),
@@ -238,14 +229,17 @@ impl<R: Real> NetState<R> {
                 [R::new(lattice.opening / 2.0), R::new(lattice.projection)],
             ),
             forces: std::array::from_fn(|_| {
-                std::array::from_fn(|_| std::array::from_fn(|_| row_zeros()))
+                std::array::from_fn(|_| std::array::from_fn(|_| of_forces()))
             }),
             held: [zeros(), zeros()],
-            holds: vec![false; rows * stride / BLOCK],
-            near: vec![0; rows * stride / BLOCK],
-            across: Plane::new(R::default(), 2 * scene.field.blocks.len() * (stride + 2 * PAD)),
-            along: Vec::with_capacity(rows * scene.field.blocks.len()),
-            sums: Sums::new(scene, stride + 2 * PAD),
+            holds: vec![false; size / BLOCK],
+            near: vec![0; size / BLOCK],
+            from_axis: (0..domes)
+                .map(|_| std::array::from_fn(|_| Plane::new(R::new(AWAY), size)))
+                .collect(),
+            pushes: (0..domes).map(|_| [zeros(), zeros()]).collect(),
+            supports: three(),
+            sums: Sums::new(scene, &places),
             keep: R::new(keep),
             grain: R::new(R::GRAIN),
             dome: DomeValues {
@@ -266,11 +260,16 @@ impl<R: Real> NetState<R> {
         for (plane, moved) in self.moved[end].iter_mut().zip(moved) {
             plane[at] = R::new(moved);
         }
+        self.move_ghosts();
     }
 
     /// Force of a bond of the last row on its first node in the last step, N.
     pub fn force_in_last_row(&self, role: Role, column: usize) -> [f64; 3] {
-        self.forces[2][role as usize].each_ref().map(|plane| plane[PAD + column].wide())
+        let Places { rows, stride, blocks, panel, carried, .. } = self.places;
+        let row = rows - 1;
+        let panels = (blocks.max(1) - 1) / panel * panel * BLOCK; // What the last panel is behind.
+        let at = carried + row / 2 * stride + column - panels;
+        self.forces[row % 2][role as usize].each_ref().map(|plane| plane[at].wide())
     }
 
     /// From now on the kernel reads the values of each bond, as where they differ, also where all are
@@ -289,44 +288,54 @@ impl<R: Real> NetState<R> {
 
     /// Place of a pair in a plane.
     pub(super) fn at(&self, row: usize, column: usize) -> usize {
-        PAD + row * self.stride + column
-    }
-
-    /// Where the places of a row's first column from a dome's axis stand in `across`.
-    pub(super) fn across_at(&self, dome: usize, row: usize) -> usize {
-        PAD + (2 * dome + row % 2) * (self.stride + 2 * PAD)
+        self.places.at(row, column)
     }
 
     /// How many domes there are.
     pub(super) fn domes(&self) -> usize {
-        self.along.len() / self.rows.max(1)
+        self.from_axis.len()
+    }
+
+    /// Lets the ghosts of a periodic net stand where the pairs do that they repeat.
+    pub(super) fn move_ghosts(&mut self) {
+        if !self.periodic {
+            return;
+        }
+        for plane in self.moved.iter_mut().flatten() {
+            for (ghost, pair) in self.places.ghosts() {
+                plane[ghost] = plane[pair];
+            }
+        }
     }
 
     fn fill(&mut self, scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2]) {
         let lattice = &scene.lattice;
+        let Places { columns, rows, .. } = self.places;
         for (k, block) in scene.field.blocks.iter().enumerate() {
-            for row in 0..self.rows {
-                let here = scene.pair_from(block, row, 0);
-                self.along.push(here.map(|p| R::new(p[1])));
-            }
-            for row in 0..self.rows.min(2) {
-                let first = self.across_at(k, row);
-                for column in 0..self.columns {
-                    let [bottom, _] = scene.pair_from(block, row, column);
-                    self.across[first + column] = R::new(bottom[0]);
+            for row in 0..rows {
+                let along = scene.pair_from(block, row, 0).map(|p| R::new(p[1]));
+                for column in 0..columns {
+                    // The same bits in all rows of a kind, as their columns stand above each other.
+                    let across = R::new(scene.pair_from(block, row % 2, column)[0][0]);
+                    let at = self.at(row, column);
+                    for (plane, place) in
+                        self.from_axis[k].iter_mut().zip([across, along[0], along[1]])
+                    {
+                        plane[at] = place;
+                    }
                 }
             }
         }
-        for row in 0..self.rows {
-            for column in 0..self.columns {
-                let (pair, at) = (row * self.columns + column, self.at(row, column));
+        for row in 0..rows {
+            for column in 0..columns {
+                let (pair, at) = (row * columns + column, self.at(row, column));
                 self.inertia[0][at] = R::new(inertia[pair].own[0]);
                 self.inertia[1][at] = R::new(inertia[pair].own[1]);
                 self.inertia[2][at] = R::new(inertia[pair].cross);
                 for end in 0..2 {
                     if scene.fixed[pair][end] {
                         self.held[end][at] = R::new(1.0);
-                        self.holds[(row * self.stride + column) / BLOCK] = true;
+                        self.holds[at / BLOCK] = true;
                     }
                 }
                 for (k, role) in Role::ALL.into_iter().enumerate() {
@@ -340,6 +349,23 @@ impl<R: Real> NetState<R> {
                         self.own[k][0][at] = R::new(1.0 / bond.taut);
                         self.own[k][1][at] = R::new(bond.ramp.slope);
                     }
+                }
+            }
+        }
+        if self.periodic {
+            self.repeat_wires();
+        }
+    }
+
+    /// Gives each ghost the wire that leads from it into the net: to the left behind an even row, to the right
+    /// before an odd one.
+    fn repeat_wires(&mut self) {
+        for (ghost, pair) in self.places.ghosts() {
+            let role = if ghost > pair { Role::Left } else { Role::Right } as usize;
+            self.top[role][ghost] = self.top[role][pair];
+            for plane in &mut self.own[role] {
+                if let Some(value) = plane.get(pair).copied() {
+                    plane[ghost] = value;
                 }
             }
         }

@@ -10,8 +10,19 @@
 
 use super::super::scene::Scene;
 use super::lanes::Real;
+use super::places::{BLOCK, Places};
 use super::plane::Plane;
-use super::state::PAD;
+
+/// A block of neighbouring columns of a row, the first of which counts, and the sums that it belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Window {
+    /// Place in the planes.
+    pub(super) at: usize,
+    /// Place in the sums.
+    pub(super) sum: usize,
+    /// Number of the dome; 0 of what is held.
+    pub(super) dome: usize,
+}
 
 /// The sums; see the head of this file. `all` has a row's places for each dome, then three for each row of
 /// anchors, then three for each late row; `target` has a number for each row of the net, of the first of
@@ -21,9 +32,11 @@ pub(super) struct Sums<R: Copy> {
     /// All rows of sums.
     pub(super) all: Plane<R>,
     /// Places of a row.
-    pub(super) places: usize,
-    /// Which sums a row of the net adds its held nodes' forces to.
-    pub(super) target: Vec<usize>,
+    places: usize,
+    /// What is held, row by row: no two windows share a column, and what is between held nodes adds nothing.
+    pub(super) held: Vec<Window>,
+    /// What may touch a dome until the next search, row by row for each dome; else as above.
+    pub(super) pushed: Vec<Window>,
     /// Which of the late sums are added to which, in the order of their rows.
     late: Vec<(usize, usize)>,
     /// Anchors in a row and rows of them; none in the laboratory.
@@ -36,8 +49,9 @@ pub(super) struct Sums<R: Copy> {
 }
 
 impl<R: Real> Sums<R> {
-    /// The sums of a scene, in rows of so many places.
-    pub(super) fn new(scene: &Scene, places: usize) -> Sums<R> {
+    /// The sums of a scene whose pairs stand at these places.
+    pub(super) fn new(scene: &Scene, net: &Places) -> Sums<R> {
+        let places = net.sums();
         let lattice = &scene.lattice;
         let (field, domes) = (&scene.field, scene.field.blocks.len());
         let anchored = lattice.periodic;
@@ -47,6 +61,7 @@ impl<R: Real> Sums<R> {
         };
         let mut late = Vec::new();
         let rows = if anchored { field.rows[1] } else { 1 };
+        // Which sums a row of the net adds its held nodes' forces to.
         let mut target = Vec::with_capacity(lattice.rows);
         for row in 0..lattice.rows {
             // A plate is far smaller than a cell, so both nodes of a held pair have the same anchor.
@@ -65,10 +80,19 @@ impl<R: Real> Sums<R> {
             let column = |c| field.nearest_in_row(lattice.bottom(0, c)[0], of).0;
             (0..lattice.columns).map(|c| if anchored { column(c) } else { 0 }).collect()
         };
+        let mut held = Vec::new();
+        for (row, target) in target.into_iter().enumerate() {
+            let counts = |column: usize| {
+                let fixed = scene.fixed[row * lattice.columns + column];
+                if fixed[0] || fixed[1] { Ok(()) } else { Err(1) }
+            };
+            windows(&mut held, net, row, target * places, 0, counts);
+        }
         Sums {
             all: Plane::new(R::default(), places * (domes + 3 * (rows + late.len()))),
             places,
-            target,
+            held,
+            pushed: Vec::new(),
             late,
             anchors: if anchored { field.rows } else { [0, 0] },
             nearest: [in_row(0.0), in_row(1.0)],
@@ -82,8 +106,8 @@ impl<R: Real> Sums<R> {
         self.all.fill(R::default());
     }
 
-    /// Adds the late sums of a step to those that they belong to.
-    pub(super) fn settle(&mut self) {
+    /// Adds the late sums of a step to those that they belong to; tells if there are any.
+    pub(super) fn settle(&mut self) -> bool {
         for &(late, to) in &self.late {
             for k in 0..3 {
                 let (from, into) = ((late + k) * self.places, (to + k) * self.places);
@@ -93,6 +117,21 @@ impl<R: Real> Sums<R> {
                     *sum = R::new(sum.wide() + late.wide());
                     *late = R::default();
                 }
+            }
+        }
+        !self.late.is_empty()
+    }
+
+    /// Looks anew for what may touch a dome: the blocks of `near` that have its bit.
+    pub(super) fn find_pushed(&mut self, net: &Places, near: &[u8]) {
+        self.pushed.clear();
+        for dome in 0..self.domes {
+            for row in 0..net.rows {
+                let counts = |column: usize| {
+                    let at = net.at(row, column);
+                    if near[at / BLOCK] >> dome & 1 == 1 { Ok(()) } else { Err(BLOCK - at % BLOCK) }
+                };
+                windows(&mut self.pushed, net, row, dome * self.places, dome, counts);
             }
         }
     }
@@ -130,7 +169,7 @@ impl<R: Real> Sums<R> {
     /// Sum of a row over the columns that count: in one order, whatever the vectors' width, and in that of
     /// one cell, however many there are.
     fn total(&self, row: usize, counts: impl Fn(usize) -> bool, steps: usize) -> f64 {
-        let sums = &self.all[row * self.places + PAD..][..self.columns[1]];
+        let sums = &self.all[row * self.places..][..self.columns[1]];
         let mut total = 0.0;
         if self.columns[0] == self.columns[1] {
             return sums.iter().map(|x| x.wide()).sum::<f64>() / steps as f64; // All are the only cell's.
@@ -143,5 +182,27 @@ impl<R: Real> Sums<R> {
             }
         }
         total / steps as f64
+    }
+}
+
+/// Adds windows of a row to `list`: each begins at a column that counts, behind the one before it. What does not
+/// count says how many columns there are until one may.
+fn windows(
+    list: &mut Vec<Window>,
+    net: &Places,
+    row: usize,
+    sum: usize,
+    dome: usize,
+    counts: impl Fn(usize) -> Result<(), usize>,
+) {
+    let mut column = 0;
+    while column < net.columns {
+        match counts(column) {
+            Ok(()) => {
+                list.push(Window { at: net.at(row, column), sum: sum + column, dome });
+                column += BLOCK;
+            }
+            Err(more) => column += more,
+        }
     }
 }
