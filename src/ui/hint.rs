@@ -56,7 +56,8 @@ pub(crate) fn bottom(
         message(status.level, &status.text, (row, roomy), buf, theme);
         return None;
     }
-    if let Some(text) = check::progress(app) {
+    let asked = app.context().is_some_and(keymap::Context::asks);
+    if !asked && let Some(text) = check::progress(app) {
         put(buf, row, 0, 1, &cut(&text, usize::from(row.width) - 1), theme.check);
         return None;
     }

@@ -139,6 +139,11 @@ fn a_campaign_tells_how_far_it_is_and_escape_ends_it() {
     app.update(news(What::Step(step)));
     let due = " campaign: 12 of 78 runs, 15 %, 9 s left; Esc ends it, what is made is kept";
     assert_eq!(bottom(&app), due);
+    // A question stands above it.
+    press(&mut app, "d<Right>q");
+    assert!(bottom(&app).starts_with(" s save and quit  d discard"), "{}", bottom(&app));
+    press(&mut app, "<Esc>");
+    assert_eq!(bottom(&app), due);
     assert!(matches!(press(&mut app, "<Esc>")[..], [Command::StopWork]));
     app.update(news(What::Told(Ok("12 of 78 runs are kept".into()))));
     app.update(news(What::Ended { cancelled: true }));

@@ -75,6 +75,19 @@ impl Context {
         matches!(self, C::Sensitivity | C::Sweep | C::Compare | C::Design | C::Tolerance)
     }
 
+    /// Whether it is a question; the hints of its keys ask it.
+    pub(crate) fn asks(self) -> bool {
+        use Context as C;
+        matches!(
+            self,
+            C::ConfirmQuit
+                | C::ConfirmOverwrite
+                | C::ConfirmRecovery
+                | C::ConfirmTakeOver
+                | C::ConfirmOpen
+        )
+    }
+
     /// Heading in the help.
     pub(crate) fn heading(self) -> &'static str {
         match self {
