@@ -74,7 +74,7 @@ fn fig4b(r: &Reproduced) -> Plot {
     let paper = |panel: f64| LABORATORY[1] * laboratory::deflection_ratio(panel);
     let mut lines = over_both(r, |p| p.deflection, paper, "Eq. 2 of the paper, over L");
     let end = THRESHOLD * REFERENCE.spacing;
-    let words = format!("threshold of the paper, D/L = {THRESHOLD}: constant over D from there on");
+    let words = format!("the paper's threshold over D, D/L = {THRESHOLD}: constant beyond");
     let top = r.over_panel.iter().map(|p| p.deflection).fold(0.0, f64::max);
     lines.push(PlotLine {
         points: vec![(end, 0.0), (end, top)],
@@ -125,7 +125,7 @@ fn fig6(r: &Reproduced) -> Plot {
     };
     let ours = |mean: &MeanCurve, stroke, mark, of: &str, what: &str| {
         let tag = format!("F_{of}*, \u{3b4}_{of}*");
-        let words = format!("{what}, our runs: {tag} = {}; shaded: 90 %", ended(&mean.curve));
+        let words = format!("{what}, ours: {tag} = {}; shaded: 90 %", ended(&mean.curve));
         PlotLine { band: band(mean), tag, ..line(&mean.curve, stroke, mark, words) }
     };
     Plot {
