@@ -16,12 +16,14 @@ pub(crate) struct Bias {
     pair: f64,
 }
 
-/// What is known of the bias before a pair is made: standard deviations, as parts, of force and deflection.
+/// What is known of the bias before a pair is made, as parts, of force and deflection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Prior {
-    /// From scene to scene, about no bias.
+    /// Mean over scenes like this one.
+    pub(super) mean: [f64; 2],
+    /// Standard deviation from scene to scene about that mean.
     pub(super) scenes: [f64; 2],
-    /// From pair to pair of one scene.
+    /// Standard deviation from pair to pair of one scene.
     pub(super) pairs: [f64; 2],
 }
 
@@ -40,7 +42,8 @@ impl Prior {
             let pair = (assumed + squares) / (SEEN + (m - 1.0).max(0.0));
             let scenes = self.scenes[k] * self.scenes[k];
             let whole = (m * scenes + pair).max(f64::MIN_POSITIVE);
-            (1.0 + mean * m * scenes / whole, (scenes * pair / whole).sqrt(), pair.sqrt())
+            let mean = (mean * m * scenes + self.mean[k] * pair) / whole;
+            (1.0 + mean, (scenes * pair / whole).sqrt(), pair.sqrt())
         };
         let [force, deflection] = [of(0), of(1)];
         Bias {
@@ -68,7 +71,7 @@ mod tests {
 
     #[test]
     fn the_bias_of_a_few_pairs_worked_by_hand() {
-        let prior = Prior { scenes: [0.01, 0.0], pairs: [0.02, 0.01] };
+        let prior = Prior { mean: [0.0; 2], scenes: [0.01, 0.0], pairs: [0.02, 0.01] };
         // Nothing seen: no bias, known to 1 %.
         let none = prior.bias(&[]);
         assert_eq!((none.pairs, none.factors), (0, [1.0; 2]));
@@ -80,11 +83,17 @@ mod tests {
         assert!((two.errors[0] - (1.0e-4_f64 * 1.75e-4 / 2.75e-4).sqrt()).abs() < 1e-12);
         // A scene whose deflection has no bias keeps it.
         assert_eq!((two.factors[1], two.errors[1]), (1.0, 0.0));
+        // Where scenes like it are off by 0.5 %, that is believed with the other 175/275.
+        let off = Prior { mean: [0.005, 0.003], ..prior };
+        assert!((off.bias(&[]).factors[0] - 1.005).abs() < 1e-12);
+        let two = off.bias(&[[1.01, 1.0], [1.03, 1.0]]);
+        assert!((two.factors[0] - 1.0 - (2.0 + 0.005 * 175.0) / 275.0).abs() < 1e-12);
+        assert_eq!((two.factors[1], two.errors[1]), (1.003, 0.0));
     }
 
     #[test]
     fn as_many_pairs_as_the_target_asks_for() {
-        let prior = Prior { scenes: [0.02, 0.01], pairs: [0.01, 0.01] };
+        let prior = Prior { mean: [0.0; 2], scenes: [0.02, 0.01], pairs: [0.01, 0.01] };
         // 1/0.75^2 - 1/2^2 = 1.53, of pairs that scatter by 1 %.
         assert_eq!(prior.bias(&[]).more(0.0075), 2);
         assert_eq!(prior.bias(&[[1.0; 2]; 2]).more(0.0075), 0);
@@ -99,11 +108,11 @@ mod tests {
             let [a, b] = [2 * n, 2 * n + 1].map(|k| uniform(seed, k).max(1e-300));
             (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
         };
-        let prior = Prior { scenes: [0.012, 0.006], pairs: [0.009, 0.004] };
+        let prior = Prior { mean: [0.004, 0.0], scenes: [0.012, 0.006], pairs: [0.009, 0.004] };
         for m in 0..=6 {
             let (mut off, mut said, mut inside) = (0.0, 0.0, 0);
             for seed in 0..2000 {
-                let truth = 1.0 + 0.012 * normal(seed, 0);
+                let truth = 1.004 + 0.012 * normal(seed, 0);
                 let pair = |k: u64| [truth + 0.009 * normal(seed, k + 1), 1.0];
                 let bias = prior.bias(&(0..m).map(pair).collect::<Vec<_>>());
                 let error = bias.factors[0] - truth;

@@ -80,7 +80,7 @@ pub(crate) fn trust(app: &App, theme: &Theme) -> Option<(String, Style)> {
     // Of an ensemble that chooses the mean counts: its runs are as rough as that allows.
     let chosen = result.wanted.run_fidelity().is_none() && result.breaks.len() > 1;
     let (what, part) = match chosen {
-        true => ("mean known to", result.force.uncertainty()),
+        true => ("mean to", result.force.uncertainty()),
         false => ("error est.", result.quality.error_estimate),
     };
     let (word, error) = (result.wanted.fidelity.word(), significant(100.0 * part, 2));

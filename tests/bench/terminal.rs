@@ -2,7 +2,8 @@
 //! forecast's redraw and to the quick check's, frames a second while a check runs, and how soon a check
 //! ends when it is told to.
 //!
-//! `cargo bench --bench terminal`
+//! `cargo bench --bench terminal`; with `MESHCAST_BENCH_BESIDE` another build of the program is measured beside it,
+//! key by key in turn.
 
 use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 use std::io::{Read, Write};
@@ -13,6 +14,8 @@ use std::time::{Duration, Instant};
 
 /// Key presses that are measured.
 const KEYS: usize = 40;
+/// Names another build of the program.
+const BESIDE: &str = "MESHCAST_BENCH_BESIDE";
 /// Longest wait for anything.
 const PATIENCE: Duration = Duration::from_secs(30);
 
@@ -31,15 +34,15 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// The program on a copy of the reference panel at 80x24.
-    fn open() -> Terminal {
+    /// The program on a copy of the reference panel at 80x24, past its first screen.
+    fn open(program: &str) -> Terminal {
         let home = tempfile::tempdir().expect("a temporary folder");
         let project = home.path().join("panel.ron");
         std::fs::write(&project, include_str!("../../projects/reference-panel.ron"))
             .expect("the temporary folder takes a file");
         let panel = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(panel).expect("a pseudo-terminal");
-        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_meshcast"));
+        let mut command = CommandBuilder::new(program);
         command.arg("--no-tour");
         command.arg(&project);
         command.env_clear();
@@ -62,7 +65,7 @@ impl Terminal {
                 theirs.lock().expect("no panic holds it").push(piece);
             }
         });
-        Terminal {
+        let mut terminal = Terminal {
             writer,
             pieces,
             emulator: vt100::Parser::new(size(24), size(80), 0),
@@ -70,7 +73,10 @@ impl Terminal {
             child,
             _master: pair.master,
             _home: home,
-        }
+        };
+        terminal.when("the first screen", |screen| screen.contains("answer"));
+        terminal.settle();
+        terminal
     }
 
     fn send(&mut self, keys: &str) -> Instant {
@@ -149,47 +155,83 @@ fn row(what: &str, (median, high): (f64, f64)) {
     println!("{what:<58} {median:>8.1} {high:>8.1}");
 }
 
-fn main() {
-    let mut terminal = Terminal::open();
-    terminal.when("the first screen", |screen| screen.contains("answer"));
-    terminal.settle();
-    println!("{:<58} {:>8} {:>8}", "", "median", "95 %");
+/// The key of a step there, and of the one back.
+fn step(k: usize) -> &'static str {
+    if k.is_multiple_of(2) { "\x1b[C" } else { "\x1b[D" }
+}
 
-    let right = |k: usize| if k.is_multiple_of(2) { "\x1b[C" } else { "\x1b[D" };
+/// Keys without live mode.
+fn plain(terminal: &mut Terminal) {
     let (mut forecast, mut sent) = (Vec::new(), 0);
     for k in 0..KEYS {
         let before = terminal.bytes();
-        let at = terminal.send(right(k));
-        let shown = terminal.when("a redraw", |_| true);
-        forecast.push(shown - at);
+        let at = terminal.send(step(k));
+        forecast.push(terminal.when("a redraw", |_| true) - at);
         terminal.settle();
         sent += terminal.bytes() - before;
     }
     row("key to the forecast's redraw, ms", figures(forecast));
     println!("{:<58} {:>8}", "bytes a key, mean", sent / KEYS);
+}
 
-    terminal.send("l");
-    terminal.when("a live check", |screen| screen.contains("live ") && screen.contains("4 runs"));
-    terminal.settle();
-    let (mut redraw, mut quick, mut whole, mut sent) = (Vec::new(), Vec::new(), Vec::new(), 0);
-    for k in 0..KEYS {
+/// What keys in live mode took.
+#[derive(Default)]
+struct Live {
+    redraw: Vec<Duration>,
+    quick: Vec<Duration>,
+    whole: Vec<Duration>,
+    sent: usize,
+}
+
+impl Live {
+    fn key(&mut self, terminal: &mut Terminal, k: usize) {
         let before = terminal.bytes();
-        let at = terminal.send(right(k));
-        redraw.push(terminal.when("a redraw", |screen| screen.contains("stale")) - at);
+        let at = terminal.send(step(k));
+        self.redraw.push(terminal.when("a redraw", |screen| screen.contains("stale")) - at);
         let fresh = |screen: &str| screen.contains("live ") && !screen.contains("stale");
-        quick.push(terminal.when("the quick check", fresh) - at);
+        self.quick.push(terminal.when("the quick check", fresh) - at);
         let all = |screen: &str| fresh(screen) && screen.contains("; 4 runs");
-        whole.push(terminal.when("all four runs", all) - at);
+        self.whole.push(terminal.when("all four runs", all) - at);
         terminal.settle();
-        sent += terminal.bytes() - before;
+        self.sent += terminal.bytes() - before;
     }
-    row("live: key to the forecast's redraw, ms", figures(redraw));
-    row("live: key to the quick check's first curve, ms", figures(quick));
-    row("live: key to the band of four runs, ms", figures(whole));
-    println!("{:<58} {:>8}", "live: bytes a key, mean", sent / KEYS);
+
+    fn tell(self, whose: &str) -> f64 {
+        let whole = figures(self.whole);
+        row(&format!("{whose}: key to the forecast's redraw, ms"), figures(self.redraw));
+        row(&format!("{whose}: key to the quick check's first curve, ms"), figures(self.quick));
+        row(&format!("{whose}: key to the band of four runs, ms"), whole);
+        println!("{:<58} {:>8}", format!("{whose}: bytes a key, mean"), self.sent / KEYS);
+        whole.0
+    }
+}
+
+/// Keys in live mode, in turn with those of another build where there is one.
+fn live(terminal: &mut Terminal, other: Option<&str>) {
+    let mut beside = other.map(Terminal::open);
+    for one in [Some(&mut *terminal), beside.as_mut()].into_iter().flatten() {
+        one.send("l");
+        one.when("a live check", |screen| screen.contains("live ") && screen.contains("4 runs"));
+        one.settle();
+    }
+    let (mut own, mut theirs) = (Live::default(), Live::default());
+    for k in 0..KEYS {
+        own.key(terminal, k);
+        if let Some(other) = &mut beside {
+            theirs.key(other, k);
+        }
+    }
+    let own = own.tell("live");
+    if beside.is_some() {
+        let theirs = theirs.tell("live, the build beside it");
+        println!("{:<58} {:>8.2}", "live: band of the build beside it over this one", theirs / own);
+    }
     terminal.send("l");
     terminal.settle();
+}
 
+/// Frames while a long check runs, and how soon it ends.
+fn long_check(terminal: &mut Terminal) {
     terminal.send(":runs 64\r:fidelity fine\r");
     terminal.settle();
     let (mut ends, mut rates) = (Vec::new(), Vec::new());
@@ -208,4 +250,13 @@ fn main() {
     row("Ctrl+G to the end of a fine check, ms", figures(ends));
     let most = rates.iter().copied().fold(0.0, f64::max);
     println!("{:<58} {most:>8.1}", "frames a second while a check runs, most");
+}
+
+fn main() {
+    let mut terminal = Terminal::open(env!("CARGO_BIN_EXE_meshcast"));
+    let beside = std::env::var(BESIDE).ok();
+    println!("{:<58} {:>8} {:>8}", "", "median", "95 %");
+    plain(&mut terminal);
+    live(&mut terminal, beside.as_deref());
+    long_check(&mut terminal);
 }

@@ -24,7 +24,7 @@ use crate::problem::{self, Problem};
 use crate::study::result::Wanted;
 use crate::study::result::make::Made;
 use crate::study::result::remade::Former;
-use crate::units::{force_text, length_text};
+use crate::units::{force_text, length_text, significant};
 use campaign::Campaigns;
 use live::Live;
 use std::sync::Arc;
@@ -191,12 +191,16 @@ impl Work {
         }
         let name = &editor.layouts()[index].name;
         let text = if result.broke() {
+            let part = significant(100.0 * result.force.uncertainty(), 2);
             format!(
-                "{name}: {} at {}, {} {}",
+                "{name}: {} at {}, {}",
                 force_text(result.force.mean, editor.units()),
                 length_text(result.deflection.mean, editor.units()),
-                result.runs,
-                if result.runs == 1 { "run" } else { "runs" }
+                match result.runs {
+                    1 => "1 run".into(),
+                    n if result.breaks.len() > 1 => format!("{n} runs, mean force to {part} %"),
+                    n => format!("{n} runs"),
+                }
             )
         } else {
             format!("{name}: no wire broke, peak {}", force_text(result.peak.force, editor.units()))

@@ -92,15 +92,17 @@ impl Checked {
     fn fidelity_said(&self) -> String {
         let word = self.fidelity_word();
         match self.ensemble.bias {
-            Some(b) if b.pairs == 0 => {
-                format!("{word} (quick runs, bias known to {:.1} %)", 100.0 * b.errors[0])
+            Some(b) => {
+                let again = match b.pairs {
+                    0 => String::new(),
+                    n => format!(", {n} again at standard"),
+                };
+                let [force, deflection] = b.factors.map(|v| 100.0 * (v - 1.0));
+                let known = 100.0 * b.errors[0];
+                format!(
+                    "{word} (quick runs{again}; bias F {force:+.2} % to {known:.1} %, delta {deflection:+.2} %)"
+                )
             }
-            Some(b) => format!(
-                "{word} (quick runs, {} again at standard: F {:+.2} %, delta {:+.2} %)",
-                b.pairs,
-                100.0 * (b.factors[0] - 1.0),
-                100.0 * (b.factors[1] - 1.0)
-            ),
             None if self.plan.auto => format!("{word} ({} runs)", self.controls.fidelity.word()),
             None => word.into(),
         }
