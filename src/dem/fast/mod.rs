@@ -183,11 +183,11 @@ impl<R: Kernel> Stepper for Fast<R> {
         let mut count = 0;
         for (k, plane) in self.state.top.iter().enumerate() {
             let rupture = self.state.kinds[usize::from(k > 0)].rupture;
-            for row in 0..self.scene.lattice.rows {
-                let at = self.state.at(row, 0);
-                for top in &plane[at..at + self.scene.lattice.columns] {
-                    count += u32::from(*top > rupture); // What is missing is no number.
-                }
+            // Whole planes, as what is missing is no number, less what ghosts repeat.
+            count += beyond(plane, rupture);
+            if self.state.periodic {
+                let ghosts = self.state.places.ghosts();
+                count -= ghosts.filter(|(ghost, _)| plane[*ghost] > rupture).count() as u32;
             }
         }
         if count as usize <= known.len() {
@@ -337,6 +337,17 @@ impl<R: Kernel> Stepper for Fast<R> {
         }
         all
     }
+}
+
+/// How many numbers are above a limit. In eight lanes; planes are a multiple of that.
+fn beyond<R: Real>(plane: &[R], limit: R) -> u32 {
+    let mut count = [0_u32; 8];
+    for eight in plane.chunks_exact(8) {
+        for (count, x) in count.iter_mut().zip(eight) {
+            *count += u32::from(*x > limit);
+        }
+    }
+    count.into_iter().sum()
 }
 
 /// A number with a kernel for every path.

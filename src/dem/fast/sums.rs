@@ -25,8 +25,7 @@ pub(super) struct Window {
 }
 
 /// The sums; see the head of this file. `all` has a row's places for each dome, then three for each row of
-/// anchors, then three for each late row; `target` has a number for each row of the net, of the first of
-/// three that are there.
+/// anchors, then three for each late row.
 #[derive(Debug, Clone)]
 pub(super) struct Sums<R: Copy> {
     /// All rows of sums.
@@ -37,7 +36,7 @@ pub(super) struct Sums<R: Copy> {
     pub(super) held: Vec<Window>,
     /// What may touch a dome until the next search, row by row for each dome; else as above.
     pub(super) pushed: Vec<Window>,
-    /// Which of the late sums are added to which, in the order of their rows.
+    /// Which blocks of late sums are added to which, in the order of their rows.
     late: Vec<(usize, usize)>,
     /// Anchors in a row and rows of them; none in the laboratory.
     anchors: [usize; 2],
@@ -80,6 +79,7 @@ impl<R: Real> Sums<R> {
             let column = |c| field.nearest_in_row(lattice.bottom(0, c)[0], of).0;
             (0..lattice.columns).map(|c| if anchored { column(c) } else { 0 }).collect()
         };
+        let all = Plane::new(R::default(), places * (domes + 3 * (rows + late.len())));
         let mut held = Vec::new();
         for (row, target) in target.into_iter().enumerate() {
             let counts = |column: usize| {
@@ -88,8 +88,16 @@ impl<R: Real> Sums<R> {
             };
             windows(&mut held, net, row, target * places, 0, counts);
         }
+        let late = late
+            .into_iter()
+            .flat_map(|(late, to)| {
+                let own = move |window: &&Window| window.sum / places == late;
+                let held = held.iter().filter(own);
+                held.map(move |window| (window.sum, window.sum % places + to * places))
+            })
+            .collect();
         Sums {
-            all: Plane::new(R::default(), places * (domes + 3 * (rows + late.len()))),
+            all,
             places,
             held,
             pushed: Vec::new(),
@@ -110,10 +118,10 @@ impl<R: Real> Sums<R> {
     pub(super) fn settle(&mut self) -> bool {
         for &(late, to) in &self.late {
             for k in 0..3 {
-                let (from, into) = ((late + k) * self.places, (to + k) * self.places);
+                let [from, into] = [late, to].map(|first| first + k * self.places);
                 let (front, back) = self.all.split_at_mut(from);
-                let sums = &mut front[into..into + self.places];
-                for (sum, late) in sums.iter_mut().zip(&mut back[..self.places]) {
+                let sums = &mut front[into..into + BLOCK];
+                for (sum, late) in sums.iter_mut().zip(&mut back[..BLOCK]) {
                     *sum = R::new(sum.wide() + late.wide());
                     *late = R::default();
                 }
