@@ -38,7 +38,9 @@ impl Terminal {
     fn open(program: &str) -> Terminal {
         let home = tempfile::tempdir().expect("a temporary folder");
         let project = home.path().join("panel.ron");
-        std::fs::write(&project, include_str!("../../projects/reference-panel.ron"))
+        // An older build reads the older format, which this one does too.
+        let text = include_str!("../../projects/reference-panel.ron");
+        std::fs::write(&project, text.replace("version: 2", "version: 1"))
             .expect("the temporary folder takes a file");
         let panel = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(panel).expect("a pseudo-terminal");
