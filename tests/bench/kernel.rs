@@ -51,14 +51,14 @@ fn best<R: Kernel>(spec: &SceneSpec, path: Path) -> f64 {
 fn table() {
     println!("ns per node and step, processor time, best of 30");
     println!(
-        "{:<10} {:>9} {:>9} {:>9} {:>9} {:>9}",
+        "{:<12} {:>9} {:>9} {:>9} {:>9} {:>9}",
         "", "A f32", "A' f32", "A f64", "12 m f32", "12 m f64"
     );
     for path in Path::available() {
         let [a, scatter, large] = [spec("A", 3.0), spec("A'", 3.0), spec("A", 12.0)];
         println!(
-            "{:<10} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2}",
-            format!("{path:?}"),
+            "{:<12} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2}",
+            format!("on {path:?}"),
             best::<f32>(&a, path),
             best::<f32>(&scatter, path),
             best::<f64>(&a, path),

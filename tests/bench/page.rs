@@ -78,7 +78,7 @@ const SECTIONS: [Section; 13] = [
         "kernel",
         Tool::Cargo,
         &["bench", "--bench", "kernel"],
-        &["ns per", "f32", "Avx", "Sse", "Portable"],
+        &["ns per", "A f32", "on avx", "on sse", "on portable"],
         true,
     ),
     of("paper", Tool::Meshcast, &["validate", "--dem"], &[], false),
