@@ -147,6 +147,7 @@ unsafe fn one<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, periodic: bool)
     // below `blocks` and within the panel, one before it or one behind it.
     unsafe {
         if periodic {
+            move_ghosts(planes);
             repeat_first_row(planes);
         }
         beforehand::<L, UNIFORM>(step);
@@ -171,9 +172,6 @@ unsafe fn one<L: Lanes, const UNIFORM: bool>(step: &Step<'_, L>, periodic: bool)
                 nodes::<L, ODD>(step, blocks - 1, from);
             }
             from = to;
-        }
-        if periodic {
-            move_ghosts(planes);
         }
     }
 }
@@ -232,7 +230,8 @@ unsafe fn carry<R: Real>(planes: &Planes<R>) {
     }
 }
 
-/// See [`NetState::move_ghosts`]; here in each step, so in a loop without iterators.
+/// Lets the ghosts of a periodic net stand where the pairs do that they repeat. As [`Places::ghosts`] lists them, but
+/// in a loop without iterators, as it is done in each step.
 #[inline(always)]
 unsafe fn move_ghosts<R: Real>(planes: &Planes<R>) {
     let Places { stride, columns, rows, first, .. } = planes.places;

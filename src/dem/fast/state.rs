@@ -260,7 +260,6 @@ impl<R: Real> NetState<R> {
         for (plane, moved) in self.moved[end].iter_mut().zip(moved) {
             plane[at] = R::new(moved);
         }
-        self.move_ghosts();
     }
 
     /// Force of a bond of the last row on its first node in the last step, N.
@@ -294,18 +293,6 @@ impl<R: Real> NetState<R> {
     /// How many domes there are.
     pub(super) fn domes(&self) -> usize {
         self.from_axis.len()
-    }
-
-    /// Lets the ghosts of a periodic net stand where the pairs do that they repeat.
-    pub(super) fn move_ghosts(&mut self) {
-        if !self.periodic {
-            return;
-        }
-        for plane in self.moved.iter_mut().flatten() {
-            for (ghost, pair) in self.places.ghosts() {
-                plane[ghost] = plane[pair];
-            }
-        }
     }
 
     fn fill(&mut self, scene: &Scene, inertia: &[PairInertia], unloading: [f64; 2]) {
