@@ -103,7 +103,7 @@ pub(crate) struct SeriesPoint {
 
 /// A row of Table 1 simulated: how the blocks stood, in a word, and the mean curve.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Simulated {
+pub(crate) struct SimulatedTest {
     pub(crate) test: &'static PublishedTest,
     pub(crate) by: Vec<(&'static str, MeanCurve)>,
 }
@@ -120,7 +120,7 @@ pub(crate) struct Reproduced {
     /// The laboratory test and the anchored reference panel.
     pub(crate) star: [MeanCurve; 2],
     /// Table 1.
-    pub(crate) tests: Vec<Simulated>,
+    pub(crate) tests: Vec<SimulatedTest>,
     /// What the campaign gave.
     pub(crate) method: DerivedMethod,
     /// Whether the force rises with every step of D.

@@ -1,7 +1,7 @@
 //! Our values beside the paper's.
 
 use super::scenes::{MIRRORED, POINTS, REPEATED};
-use super::{CLOSE, Compared, SeriesPoint, Simulated, THRESHOLD};
+use super::{CLOSE, Compared, SeriesPoint, SimulatedTest, THRESHOLD};
 use crate::forecast::master;
 use crate::lab::paper::{ANCHORED, K75, LABORATORY, PaperStanding, RATIOS};
 use crate::layout::REFERENCE;
@@ -98,7 +98,7 @@ pub(super) fn offsets(m: &DerivedMethod, facing: &[Factors]) -> Vec<Compared> {
 }
 
 /// A row of Table 1 by each arrangement.
-pub(super) fn test(simulated: &Simulated) -> Vec<Compared> {
+pub(super) fn test(simulated: &SimulatedTest) -> Vec<Compared> {
     let printed = &simulated.test.dem;
     let paper = [printed.force.value(), printed.deflection.value()];
     let ours = simulated.by.iter().filter_map(|(stand, mean)| {

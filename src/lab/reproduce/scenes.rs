@@ -1,6 +1,6 @@
 //! The ensembles behind the figures.
 
-use super::{MeanCurve, PARTS, ReproducePlan, SeriesPoint, Simulated, Tell};
+use super::{MeanCurve, PARTS, ReproducePlan, SeriesPoint, SimulatedTest, Tell};
 use crate::dem::{Arrangement, Controls, SceneSpec, Test};
 use crate::forecast::published::published;
 use crate::layout::{Blocks, Layout, REFERENCE};
@@ -71,7 +71,7 @@ impl Scenes<'_> {
     }
 
     /// Table 1, with repeated blocks, and the eccentric ones with mirrored too.
-    pub(super) fn tests(&self) -> Result<Option<Vec<Simulated>>, Vec<Problem>> {
+    pub(super) fn tests(&self) -> Result<Option<Vec<SimulatedTest>>, Vec<Problem>> {
         let mut tests = Vec::new();
         for test in &published().tests {
             let layout = Layout { blocks: Blocks::Repeated, ..test.layout() };
@@ -86,7 +86,7 @@ impl Scenes<'_> {
                 let Some(e) = e else { return Ok(None) };
                 by.push((words, drawn(&e)));
             }
-            tests.push(Simulated { test, by });
+            tests.push(SimulatedTest { test, by });
         }
         Ok(Some(tests))
     }

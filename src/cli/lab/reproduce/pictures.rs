@@ -8,7 +8,7 @@ use crate::export::svg::plot::{Plot, PlotLine, Points, Signs};
 use crate::forecast::published::PublishedTest;
 use crate::forecast::{forecast, laboratory, master, rescaled};
 use crate::lab::paper::{ANCHORED, LABORATORY};
-use crate::lab::reproduce::{MeanCurve, Reproduced, SeriesPoint, Simulated, THRESHOLD};
+use crate::lab::reproduce::{MeanCurve, Reproduced, SeriesPoint, SimulatedTest, THRESHOLD};
 use crate::layout::{BranchRule, REFERENCE};
 use crate::mesh::catalogue;
 use crate::units::{from_kn, significant, to_kn};
@@ -179,7 +179,7 @@ fn fig7a(r: &Reproduced) -> Plot {
 }
 
 /// A row of Table 1: our runs, what the paper prints, and the paper's forecast.
-fn fig7(name: &str, simulated: &Simulated) -> Plot {
+fn fig7(name: &str, simulated: &SimulatedTest) -> Plot {
     let test = simulated.test;
     let styles = [(marks::CHECK, Mark::Diamond), (marks::OTHER, Mark::Square)];
     let mut lines: Vec<PlotLine> = simulated
