@@ -68,7 +68,7 @@ impl Exactness {
     /// What it aims at, in a few words.
     pub(crate) fn about(self) -> String {
         match self {
-            Exactness::Auto => "as slow as it takes for a mean known to 1 %".into(),
+            Exactness::Auto => "quick runs, as slow as it takes for a mean known to 1 %".into(),
             other => {
                 format!("errors within {} %", significant(100.0 * other.fidelity().aim(), 1))
             }

@@ -352,7 +352,9 @@ fn a_check_kept_at_another_fidelity_than_the_default_stays_current() {
         assert_eq!(app.shown_check().unwrap().standing, Standing::Current);
         let told = details(&mut app);
         let words = match fidelity {
-            Exactness::Auto => "fidelity auto (runs as quick as a mean known to 1 % allows)",
+            Exactness::Auto => {
+                "fidelity auto (quick runs, as slow as it takes for a mean known to 1 %)"
+            }
             _ => "fidelity standard force",
         };
         assert!(told.contains(words), "{told}");

@@ -37,9 +37,6 @@ pub use sampled::Sampled;
 /// Significant digits of the numbers of a result; the method is good for three.
 pub(crate) const DIGITS: usize = 5;
 
-/// What runs are where the ensemble chooses.
-const AUTO: &str = "runs as quick as a mean known to 1 % allows";
-
 /// What is asked of a check.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
@@ -73,7 +70,7 @@ impl Wanted {
     pub(crate) fn fidelity_said(&self) -> String {
         let word = self.fidelity.word();
         match self.run_fidelity() {
-            None => format!("{word} ({AUTO})"),
+            None => format!("{word} ({})", self.fidelity.about()),
             Some(own) if self.fidelity.auto() => format!("{word} ({} runs)", own.word()),
             Some(_) => word.into(),
         }
