@@ -20,6 +20,8 @@ pub(super) const IMBALANCE: f64 = 0.02;
 pub(super) struct Account {
     /// Work of the punch, J.
     work: f64,
+    /// Kinetic energy that changes of the inertia added, J.
+    added: f64,
     /// Taken by damping, J; nothing where the solver's damping cannot be accounted.
     damped: Option<f64>,
     /// Kinetic energy when last taken, J, and the steps since.
@@ -37,6 +39,7 @@ impl Account {
     pub(super) fn new() -> Account {
         Account {
             work: 0.0,
+            added: 0.0,
             damped: Some(0.0),
             kinetic: 0.0,
             since: 0,
@@ -74,6 +77,11 @@ impl Account {
         self.over_work = kinetic / self.work.max(1.0);
     }
 
+    /// Enters kinetic energy that a change of the inertia adds, J, or takes.
+    pub(super) fn add(&mut self, kinetic: f64) {
+        self.added += kinetic;
+    }
+
     /// Whether all energies are to be taken now.
     pub(super) fn balance_due(&mut self) -> bool {
         let due = self.balanced > BALANCE;
@@ -83,17 +91,17 @@ impl Account {
         due
     }
 
-    /// Whether the net moves more than can be: motion cannot hold more than the punch has put in; a tenth
-    /// of a joule is far below any test.
+    /// Whether the net moves more than can be: motion cannot hold more than the punch and the changes of the
+    /// inertia have put in; a tenth of a joule is far below any test.
     pub(super) fn ran_away(&self) -> bool {
-        !self.kinetic.is_finite() || self.kinetic > self.work + 0.1
+        !self.kinetic.is_finite() || self.kinetic > self.work + self.added.max(0.0) + 0.1
     }
 
-    /// Work of the punch that is found in no energy, over that work; nothing where damping is not
-    /// accounted.
+    /// Work of the punch, with what changes of the inertia added, that is found in no energy, over that
+    /// work; nothing where damping is not accounted.
     pub(super) fn imbalance(&self, e: &Energies) -> Option<f64> {
         let found = e.bonds + e.kinetic + e.contact + self.damped?;
-        Some((self.work - found) / self.work.max(1.0e-9))
+        Some((self.work + self.added - found) / self.work.max(1.0e-9))
     }
 
     /// Largest imbalance that is believed: what damping takes is summed up from kinetic energies some

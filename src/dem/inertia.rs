@@ -14,8 +14,17 @@
 //! so that the stiff twist costs no inertia against translation. Sharing each node's mass among its
 //! bonds by their stiffness (the element bound of Irons & Treharne 1971) gives eigenvalues of at
 //! most 4 c^2 if all wires of a node pull the same way; they never do, so c up to about 1.2 is
-//! stable. Out of the plane wires are stiff only by the sine of their slope, and the inertia is halved.
-//! Where a pair's node is fixed the other one has the inertia of the difference mode alone.
+//! stable. Where a pair's node is fixed the other one has the inertia of the difference mode alone.
+//!
+//! Out of the plane wires are stiff only by the sine of their slope, so the inertia there is another one:
+//! [`OUT_OF_PLANE`] of that in the plane, or, fitted every few millimetres of punch travel, with `s2` the largest
+//! square of the sine among the bonds of a pair
+//!
+//! - [`SLOPE`] s2 + what a flat net needs ([`rise_under_tension`]), at most [`STEEPEST`],
+//! - [`rise_under_contact`] more where a dome pushes or soon will.
+//!
+//! A slack or flat part of the net is then light and follows the punch at once; in a steep one the wires
+//! need that inertia (see [`super::stability`]).
 
 use super::dome::CONTACT_STIFFNESS;
 use super::lattice::{Lattice, Role, bond_number};
@@ -34,8 +43,32 @@ pub struct StepFactors {
 /// neighbours; then no direction is left over which its stiffness could be shared.
 pub(crate) const LONE_WIRE: f64 = 2.0;
 
-/// Factor on the inertia against motion out of the net's plane.
+/// Factor on the inertia against motion out of the net's plane, where it is not fitted to slopes.
 pub const OUT_OF_PLANE: f64 = 0.5;
+/// Inertia out of the plane over that in it, per square of the sine of the steepest bond: below 2.5 some
+/// runs of random scenes shake, and the bound of [`super::stability`] is at 3.4.
+pub(crate) const SLOPE: f64 = 3.6;
+/// The same of a flat and slack net, whose slopes may grow until the next fit.
+pub(crate) const FLOOR: f64 = 0.03;
+/// What is added to it at a utilisation of 1, over the force of a wire at rupture to its stiffness: tension holds a
+/// flat net as wires with the stiffness of their force over their length would. With it the element bound, 4 c^2
+/// of that part, is 2.
+pub(crate) const TENSE: f64 = 2.4;
+/// The largest: a bond that is broken may stand at any slope.
+pub(crate) const STEEPEST: f64 = 1.5;
+/// Eigenvalue against motion out of the plane of a pair held by a dome's contact alone; below 4.
+pub(crate) const CONTACT: f64 = 2.0;
+
+/// Inertia out of the plane over that in it of a flat net at a utilisation, whose wires break under the part
+/// `tension` of their stiffness against unloading.
+pub(super) fn rise_under_tension(utilisation: f64, tension: f64) -> f64 {
+    FLOOR + TENSE * tension * utilisation
+}
+
+/// What a dome's contact adds to it.
+pub(super) fn rise_under_contact(pair: &PairInertia) -> f64 {
+    CONTACT_STIFFNESS * pair.softest() / CONTACT
+}
 
 /// Inverse inertia of a pair in the plane, m/N: velocity changes are
 /// `own[0] f_bottom + cross f_top` and `own[1] f_top + cross f_bottom`.
@@ -47,13 +80,19 @@ pub struct PairInertia {
     pub cross: f64,
 }
 
-/// The same as inertia, N/m, of the sum and the difference of the velocities; of the one free node
-/// alone where the other is fixed.
+impl PairInertia {
+    /// Inverse inertia of the mode that a force moves most, m/N.
+    pub(super) fn softest(&self) -> f64 {
+        self.own[0].max(self.own[1]) + self.cross.abs()
+    }
+}
+
+/// The same as inertia, N/m, of the sum and the difference of the velocities. Where one node is fixed, the
+/// sum of both velocities is the other's.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct PairModes {
     sum: f64,
     difference: f64,
-    alone: [f64; 2],
 }
 
 impl PairModes {
@@ -63,28 +102,28 @@ impl PairModes {
             [true, true] => PairModes {
                 sum: 0.25 / (pair.own[0] + pair.cross),
                 difference: 0.25 / (pair.own[0] - pair.cross),
-                alone: [0.0; 2],
             },
-            [true, false] => PairModes { alone: [0.5 / pair.own[0], 0.0], ..Self::default() },
-            [false, true] => PairModes { alone: [0.0, 0.5 / pair.own[1]], ..Self::default() },
+            [true, false] => PairModes { sum: 0.5 / pair.own[0], difference: 0.0 },
+            [false, true] => PairModes { sum: 0.5 / pair.own[1], difference: 0.0 },
             [false, false] => Self::default(),
         }
     }
 
-    /// Kinetic energy, J, at the velocities (m per step) of the bottom and the top node.
-    pub(crate) fn kinetic(&self, bottom: [f64; 3], top: [f64; 3]) -> f64 {
+    /// Kinetic energy, J, at the velocities (m per step) of the bottom and the top node, with `rise` times the
+    /// inertia out of the plane.
+    pub(crate) fn kinetic(&self, bottom: [f64; 3], top: [f64; 3], rise: f64) -> f64 {
         let mut energy = 0.0;
         for axis in 0..3 {
-            let factor = if axis == 2 { OUT_OF_PLANE } else { 1.0 };
-            let (b, t) = (bottom[axis], top[axis]);
-            let (sum, difference) = (b + t, b - t);
-            energy += factor
-                * (self.sum * sum * sum
-                    + self.difference * difference * difference
-                    + self.alone[0] * b * b
-                    + self.alone[1] * t * t);
+            let factor = if axis == 2 { rise } else { 1.0 };
+            energy += factor * self.along(bottom[axis], top[axis]);
         }
         energy
+    }
+
+    /// That of one direction of the plane.
+    pub(crate) fn along(&self, bottom: f64, top: f64) -> f64 {
+        let (sum, difference) = (bottom + top, bottom - top);
+        self.sum * sum * sum + self.difference * difference * difference
     }
 }
 

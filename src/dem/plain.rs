@@ -355,15 +355,13 @@ impl Stepper for Plain {
     }
 
     fn kinetic(&self) -> f64 {
-        let flat = self.out_of_plane / inertia::OUT_OF_PLANE;
         self.net
             .inertia
             .iter()
             .enumerate()
             .map(|(pair, m)| {
-                let seen = |v: [f64; 3]| [v[0], v[1], v[2] * flat.sqrt()];
-                inertia::PairModes::new(m)
-                    .kinetic(seen(self.velocity[2 * pair]), seen(self.velocity[2 * pair + 1]))
+                let (bottom, top) = (self.velocity[2 * pair], self.velocity[2 * pair + 1]);
+                inertia::PairModes::new(m).kinetic(bottom, top, self.out_of_plane)
             })
             .sum::<f64>()
             / self.blocks()

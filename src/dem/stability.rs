@@ -17,8 +17,16 @@
 //!   flat (1 + sin^2 a) + contact (1 + cos^2 a) and the product 2 flat contact; the larger of the two
 //!   is largest at a = 0 or 90 degrees and there 2 `flat` or 2 `contact`. So the bound is
 //!   2 max(`flat`, `contact`).
+//! - *Any slope, fitted*: where the inertia out of the plane follows the slopes, stiffnesses of bonds and contacts
+//!   are split into their parts in the plane and out of it. The matrix is the sum of two, and its largest eigenvalue
+//!   at most the sum of theirs. In the plane a sloping net is no stiffer than the flat one, but for the contact:
+//!   `flat` + `contact` (1 - n^2), with n the vertical part of its normal. Out of the plane all wires pull the same
+//!   way, so each node's stiffness counts twice (the element bound of [`super::inertia`], 4 c^2), but by the square
+//!   of its sine alone, over the inertia there, which is [`SLOPE`] times that square and `contact` / [`CONTACT`]
+//!   under a dome: at most the larger of `slope` = 4 c^2 / [`SLOPE`] and [`CONTACT`] n^2. So the bound is
+//!   flat + max([`CONTACT`], slope + contact).
 //!
-//! What is assumed: that the openings keep about their shape in their own plane (a net drawn out
+//! What is assumed: that slopes change little between two fits of the inertia, that the openings keep about their shape in their own plane (a net drawn out
 //! until its wires lie along one another is up to twice as stiff that way), and that the tension of
 //! the wires (force over length, a twentieth of the stiffness) does not matter. Tests hold the bound
 //! against the eigenvalue of the deformed nets of the bench scenes at the first break, and against
@@ -28,7 +36,7 @@ use super::dome::CONTACT_STIFFNESS;
 use super::fast::state::bond_values;
 use super::fast::{stiffest, unloading};
 use super::hash::uniform;
-use super::inertia::{OUT_OF_PLANE, PairInertia, StepFactors, pairs};
+use super::inertia::{CONTACT, OUT_OF_PLANE, PairInertia, SLOPE, StepFactors, pairs};
 use super::lattice::{Lattice, Role, bond_number, bond_of};
 use super::scene::Scene;
 
@@ -45,6 +53,8 @@ pub struct Eigenvalues {
     pub flat: f64,
     /// Of a pair held by the dome's contact alone.
     pub contact: f64,
+    /// Of wires that all pull out of the plane, where the inertia there is fitted.
+    pub slope: f64,
 }
 
 /// Columns and rows of the piece of net that stands for one whose bonds of a kind are all alike: such
@@ -64,11 +74,11 @@ impl Eigenvalues {
             });
             let stiffness = |number: usize| kinds[bond_of(number).1 as usize];
             let inertia = pairs(&lattice, &[[false; 2]; PIECE * PIECE], &stiffness, factors);
-            return Eigenvalues::from_parts(&lattice, &inertia, &stiffness);
+            return Eigenvalues::from_parts(&lattice, &inertia, &stiffness, factors);
         }
         let stiffness = stiffest(scene, unloading);
         let inertia = pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], factors);
-        Eigenvalues::from_parts(&scene.lattice, &inertia, &|k| stiffness[k])
+        Eigenvalues::from_parts(&scene.lattice, &inertia, &|k| stiffness[k], factors)
     }
 
     /// Of a net with this inertia and these stiffnesses of bonds, N/m.
@@ -76,23 +86,35 @@ impl Eigenvalues {
         lattice: &Lattice,
         inertia: &[PairInertia],
         stiffness: &dyn Fn(usize) -> f64,
+        factors: StepFactors,
     ) -> Eigenvalues {
-        let held = |p: &PairInertia| p.own[0].max(p.own[1]) + p.cross.abs();
         Eigenvalues {
             flat: Flat::new(lattice, inertia, stiffness).largest(ITERATIONS) * (1.0 + MARGIN),
-            contact: CONTACT_STIFFNESS * inertia.iter().map(held).fold(0.0, f64::max),
+            contact: CONTACT_STIFFNESS
+                * inertia.iter().map(PairInertia::softest).fold(0.0, f64::max),
+            slope: 4.0 * factors.translation * factors.translation / SLOPE,
         }
     }
 
-    /// The bound on the eigenvalue of the net in any slope.
-    pub fn any_slope(&self) -> f64 {
-        self.flat.max(self.contact) / OUT_OF_PLANE
+    /// The bound on the eigenvalue of the net in any slope, with the inertia out of the plane fitted or not.
+    pub fn any_slope(&self, fitted: bool) -> f64 {
+        if fitted {
+            self.flat + CONTACT.max(self.slope + self.contact)
+        } else {
+            self.flat.max(self.contact) / OUT_OF_PLANE
+        }
     }
 
     /// Largest factor on the step factors that is stable when velocities lose the part `damping` in a
-    /// step.
-    pub fn largest_factor(&self, damping: f64) -> f64 {
-        (2.0 * (2.0 - damping) / self.any_slope()).sqrt()
+    /// step. All parts of the bound grow with its square, but for [`CONTACT`].
+    pub fn largest_factor(&self, damping: f64, fitted: bool) -> f64 {
+        let largest = 2.0 * (2.0 - damping);
+        if fitted {
+            let beside = (largest - CONTACT) / self.flat;
+            beside.min(largest / (self.flat + self.slope + self.contact)).sqrt()
+        } else {
+            (largest / self.any_slope(false)).sqrt()
+        }
     }
 }
 

@@ -42,6 +42,11 @@ pub trait Stepper {
     /// Largest change of strain in a step among the double twists that hold, over the strain at
     /// rupture: what an unstable step shows first.
     fn shaking(&self) -> f64;
+    /// Fits the inertia out of the plane to the net as it stands; tells the kinetic energy that this adds, J.
+    /// A solver whose inertia stays adds none.
+    fn follow(&mut self) -> f64 {
+        0.0
+    }
     /// Part of its kinetic energy that damping takes in a step, or nothing where damping is not viscous.
     fn damping_loss(&self) -> Option<f64>;
     /// Positions of all nodes, bottom and top of each pair in turn, from the panel's corner, m.

@@ -163,7 +163,7 @@ pub fn tensile(
 ) -> Result<TensileOutcome, Vec<Problem>> {
     let scene = spec.scene()?;
     let own = StepFactors { translation: 1.0, stretching: 0.65 };
-    let within = Eigenvalues::of_scene(&scene, true, own).largest_factor(DAMPING).min(1.0);
+    let within = Eigenvalues::of_scene(&scene, true, own).largest_factor(DAMPING, false).min(1.0);
     let factors =
         StepFactors { translation: own.translation * within, stretching: own.stretching * within };
     let mut piece = Piece::new(&scene, factors, spec);

@@ -222,6 +222,7 @@ fn with(
     let controls = Controls { speed: Some(travel), ..base(fidelity) };
     let scheme = controls.scheme(&scene)?;
     let options = FastOptions {
+        fitted: scheme.fitted,
         factors: scheme.factors,
         damping: scheme.damping,
         true_unloading,

@@ -27,6 +27,7 @@ fn solver<R: Kernel>(spec: &SceneSpec, path: Path) -> (Fast<R>, usize) {
         factors: scheme.factors,
         damping: scheme.damping,
         true_unloading: false,
+        fitted: false,
         path,
     };
     let mut fast = Fast::new(&scene, options);

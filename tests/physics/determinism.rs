@@ -11,9 +11,12 @@ use meshcast::mesh::laws;
 
 const FACTORS: StepFactors = StepFactors { translation: 1.1, stretching: 0.8 };
 
-fn solver<R: Kernel>(spec: &SceneSpec, true_unloading: bool, path: Path) -> Fast<R> {
+fn solver<R: Kernel>(spec: &SceneSpec, true_unloading: bool, fitted: bool, path: Path) -> Fast<R> {
     let scene = Scene::new(spec).unwrap();
-    Fast::new(&scene, FastOptions { factors: FACTORS, damping: 0.002, true_unloading, path })
+    Fast::new(
+        &scene,
+        FastOptions { factors: FACTORS, damping: 0.002, true_unloading, fitted, path },
+    )
 }
 
 /// What a run leaves behind, to the bit: forces of every block, all positions, broken bonds.
@@ -24,11 +27,21 @@ struct Bits {
 }
 
 impl Bits {
-    fn of<R: Kernel>(spec: &SceneSpec, path: Path, blocks: usize, travel: f64) -> Bits {
-        let mut fast = solver::<R>(spec, false, path);
+    fn of<R: Kernel>(
+        spec: &SceneSpec,
+        fitted: bool,
+        path: Path,
+        blocks: usize,
+        travel: f64,
+    ) -> Bits {
+        let mut fast = solver::<R>(spec, false, fitted, path);
         assert_eq!(fast.path(), path);
         let (mut numbers, mut broken) = (Vec::new(), Vec::new());
         for _ in 0..blocks {
+            let added = fast.follow();
+            if fitted {
+                numbers.push(added.to_bits());
+            }
             let block = fast.advance(12, travel);
             numbers.extend([block.punch.to_bits(), block.support.to_bits()]);
             fast.broken(&mut broken);
@@ -52,18 +65,23 @@ impl Bits {
 
 /// The same bits on all paths; tells how many bonds broke.
 fn same_on_all_paths<R: Kernel>(spec: &SceneSpec, blocks: usize, travel: f64) -> usize {
-    let portable = Bits::of::<R>(spec, Path::portable(), blocks, travel);
-    for path in Path::available() {
-        let other = Bits::of::<R>(spec, path, blocks, travel);
-        let differ = portable.numbers.iter().zip(&other.numbers).filter(|(a, b)| a != b).count();
-        let what = (spec.test, spec.layout.spacing, spec.wire.distortion.slack);
-        assert!(
-            portable == other,
-            "{path:?}: {differ} of {} numbers differ from portable on {what:?}",
-            portable.numbers.len()
-        );
+    let mut broken = 0;
+    for fitted in [false, true] {
+        let portable = Bits::of::<R>(spec, fitted, Path::portable(), blocks, travel);
+        for path in Path::available() {
+            let other = Bits::of::<R>(spec, fitted, path, blocks, travel);
+            let pairs = portable.numbers.iter().zip(&other.numbers);
+            let differ = pairs.filter(|(a, b)| a != b).count();
+            let what = (spec.test, spec.layout.spacing, spec.wire.distortion.slack, fitted);
+            assert!(
+                portable == other,
+                "{path:?}: {differ} of {} numbers differ from portable on {what:?}",
+                portable.numbers.len()
+            );
+        }
+        broken += portable.broken.len();
     }
-    portable.broken.len()
+    broken
 }
 
 #[test]
@@ -116,13 +134,14 @@ fn the_bits_are_those_of_an_earlier_run_in_both_build_profiles() {
     let digests = [Test::Anchored, Test::Laboratory].map(|test| {
         let spec = small(test, laws::reference());
         [
-            Bits::of::<f32>(&spec, Path::best(), 100, 3.0e-4).digest(),
-            Bits::of::<f64>(&spec, Path::best(), 100, 3.0e-4).digest(),
+            Bits::of::<f32>(&spec, false, Path::best(), 100, 3.0e-4).digest(),
+            Bits::of::<f64>(&spec, false, Path::best(), 100, 3.0e-4).digest(),
+            Bits::of::<f32>(&spec, true, Path::best(), 100, 3.0e-4).digest(),
         ]
     });
-    let earlier: [[u64; 2]; 2] = [
-        [0xc0f7_cb9a_40b4_66dd, 0xacad_18fd_a8ff_31bf],
-        [0xbda9_5acc_5c5a_d811, 0xea2e_1e01_ccd4_0fce],
+    let earlier: [[u64; 3]; 2] = [
+        [0xc0f7_cb9a_40b4_66dd, 0xacad_18fd_a8ff_31bf, 0x943b_1a5e_751d_ad69],
+        [0xbda9_5acc_5c5a_d811, 0xea2e_1e01_ccd4_0fce, 0xbef7_3966_1434_7580],
     ];
     assert_eq!(digests, earlier, "{digests:#x?}");
 }
@@ -135,7 +154,7 @@ fn the_fast_solver_in_full_is_the_plain_one_but_for_rounding() {
             let scene = Scene::new(&spec).unwrap();
             let mut plain =
                 Plain::of_scene(&scene, Inertia::Pairs(FACTORS), Damping::Viscous(0.002));
-            let mut fast = solver::<f64>(&spec, true, Path::best());
+            let mut fast = solver::<f64>(&spec, true, false, Path::best());
             let (mut most, mut apart, mut force) = (0.0_f64, 0.0_f64, 0.0_f64);
             for _ in 0..50 {
                 let (a, b) = (plain.advance(12, 2.0e-4), fast.advance(12, 2.0e-4));

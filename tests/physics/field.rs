@@ -220,6 +220,7 @@ fn the_anchors_carry_the_blocks_in_every_arrangement() {
             factors: FACTORS,
             damping: 0.002,
             true_unloading: false,
+            fitted: false,
             path: Path::best(),
         };
         let mut fast = Fast::<f64>::new(&scene, options);
@@ -271,6 +272,7 @@ fn in_full_the_fast_solver_is_the_plain_one_on_every_field() {
             factors: FACTORS,
             damping: 0.002,
             true_unloading: true,
+            fitted: false,
             path: Path::best(),
         };
         let mut fast = Fast::<f64>::new(&scene, options);

@@ -11,17 +11,19 @@ use meshcast::mesh::laws;
 use meshcast::mesh::wire::Slack;
 
 /// What some steps leave behind, to the last bit, in single and in double precision.
-fn left_behind(scene: &Scene, path: Path) -> Vec<u64> {
+fn left_behind(scene: &Scene, fitted: bool, path: Path) -> Vec<u64> {
     let options = FastOptions {
         factors: StepFactors { translation: 0.9, stretching: 0.8 },
         damping: 0.002,
         true_unloading: false,
+        fitted,
         path,
     };
     let mut left = Vec::new();
     let mut look = |solver: &mut dyn Stepper| {
         // Deep at once, so that nodes are under the dome in the first steps.
         for _ in 0..2 {
+            left.push(solver.follow().to_bits());
             let block = solver.advance(2, 0.02);
             left.extend([block.punch.to_bits(), block.support.to_bits()]);
         }
@@ -46,9 +48,12 @@ fn every_instruction_set_stays_in_its_buffers_and_gives_the_same_bits() {
             // Rows of eight openings or so: one whole vector and a rest in each.
             (spec.layout.spacing, spec.layout.punch, spec.layout.plate) = (0.72, 0.3, 0.2);
             let scene = Scene::new(&spec).unwrap();
-            let first = left_behind(&scene, Path::portable());
-            for path in Path::available() {
-                assert_eq!(left_behind(&scene, path), first, "{test:?} {slack:?} {path:?}");
+            for fitted in [false, true] {
+                let first = left_behind(&scene, fitted, Path::portable());
+                for path in Path::available() {
+                    let left = left_behind(&scene, fitted, path);
+                    assert_eq!(left, first, "{test:?} {slack:?} {fitted} {path:?}");
+                }
             }
         }
     }

@@ -115,6 +115,7 @@ fn the_same_net_under_another_alignment_gives_the_same_forces() {
             factors: StepFactors { translation: 1.0, stretching: 0.8 },
             damping: 0.002,
             true_unloading: true,
+            fitted: false,
             path: Path::best(),
         };
         let mut fast = Fast::<f64>::new(&aligned(phase), options);

@@ -12,7 +12,13 @@ use meshcast::mesh::wire::WireData;
 const FACTORS: StepFactors = StepFactors { translation: 0.9, stretching: 0.8 };
 
 fn options(true_unloading: bool) -> FastOptions {
-    FastOptions { factors: FACTORS, damping: 0.002, true_unloading, path: Path::best() }
+    FastOptions {
+        factors: FACTORS,
+        damping: 0.002,
+        true_unloading,
+        fitted: false,
+        path: Path::best(),
+    }
 }
 
 fn largest_gap(a: &dyn Stepper, b: &dyn Stepper) -> f64 {

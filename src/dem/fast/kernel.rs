@@ -30,6 +30,7 @@ struct Planes<R> {
     moved: [[*mut R; 3]; 2],
     velocity: [[*mut R; 3]; 2],
     inertia: [*const R; 3],
+    rise: *const R,
     top: [*mut R; 3],
     own: [[*const R; 2]; 3],
     /// At the first block of the panel.
@@ -59,6 +60,7 @@ impl<R: Real> Planes<R> {
             moved: state.moved.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             velocity: state.velocity.each_mut().map(|end| end.each_mut().map(|p| p.as_mut_ptr())),
             inertia: state.inertia.each_ref().map(|p| p.as_ptr()),
+            rise: state.rise.as_ptr(),
             top: state.top.each_mut().map(|p| p.as_mut_ptr()),
             own: state.own.each_ref().map(|role| role.each_ref().map(|p| p.as_ptr())),
             forces: state.forces.each_mut().map(|kind| {
@@ -94,7 +96,6 @@ struct Step<'a, L: Lanes> {
     rest: (L::Real, [L::Real; 2]),
     dome: DomeValues<L::Real>,
     heights: [L::Real; 2],
-    out_of_plane: L::Real,
     keep: L::Real,
     grain: L::Real,
 }
@@ -119,7 +120,6 @@ pub(crate) unsafe fn run<L: Lanes, const UNIFORM: bool>(
         rest: state.rest,
         dome: state.dome,
         heights: [L::Real::default(); 2],
-        out_of_plane: state.out_of_plane,
         keep: state.keep,
         grain: state.grain,
     };
@@ -411,7 +411,7 @@ unsafe fn nodes_at<L: Lanes, const KIND: usize>(step: &Step<'_, L>, at: usize, f
         let mut mobility = [L::load(a.add(at)), L::load(b.add(at)), L::load(c.add(at))];
         for k in 0..3 {
             if k == 2 {
-                let factor = L::splat(step.out_of_plane);
+                let factor = L::load(planes.rise.add(at));
                 mobility =
                     [mobility[0].mul(factor), mobility[1].mul(factor), mobility[2].mul(factor)];
             }

@@ -5,7 +5,18 @@
 //! are defined by a comparison, so that even a NaN goes the same way everywhere.
 
 /// The number inside: `f32` for speed, `f64` for reference runs.
-pub trait Real: Copy + PartialOrd + Default + Send + Sync + 'static {
+pub trait Real:
+    Copy
+    + PartialOrd
+    + Default
+    + Send
+    + Sync
+    + std::ops::Add<Output = Self>
+    + std::ops::Sub<Output = Self>
+    + std::ops::Mul<Output = Self>
+    + std::ops::Div<Output = Self>
+    + 'static
+{
     /// Rounded from double precision.
     fn new(x: f64) -> Self;
     /// In double precision.

@@ -25,6 +25,7 @@ mod path;
 mod places;
 mod plane;
 mod reach;
+mod rise;
 pub(crate) mod state;
 mod sums;
 
@@ -47,6 +48,8 @@ pub struct Fast<R: Kernel> {
     scene: Scene,
     /// Inertia of the pairs' sums and differences, N/m, so that kinetic energy needs no division.
     modes: Vec<PairModes>,
+    /// How their inertia out of the plane is fitted; nothing where it stays.
+    rise: Option<rise::Rise<R>>,
     unloading: [f64; 2],
     state: NetState<R>,
     path: Path,
@@ -67,6 +70,8 @@ pub struct FastOptions {
     pub damping: f64,
     /// Whether bonds unload with their true elastic slope.
     pub true_unloading: bool,
+    /// Whether the inertia out of the plane is fitted to the net's slopes.
+    pub fitted: bool,
     /// Instruction set.
     pub path: Path,
 }
@@ -100,11 +105,16 @@ impl<R: Kernel> Fast<R> {
             inertia::pairs(&scene.lattice, &scene.fixed, &|k| stiffness[k], options.factors);
         let modes = inertia.iter().map(PairModes::new).collect();
         let mut state = NetState::new(scene, &inertia, unloading, 1.0 - options.damping);
+        let lengths = [scene.lattice.twist_length(), scene.lattice.wire_length()];
+        let wire = &scene.law.single;
+        let tension = wire.force.last().copied().unwrap_or(0.0) / unloading[0];
+        let rise = options.fitted.then(|| rise::Rise::new(&state, &inertia, lengths, tension));
         // Nothing was marked before, and nothing can have been missed.
         let first = reach::search(&mut state, scene.dome.reach());
         Fast {
             scene: scene.clone(),
             modes,
+            rise,
             unloading,
             state,
             path: options.path,
@@ -131,6 +141,17 @@ impl<R: Kernel> Fast<R> {
                 }
             }
         }
+    }
+
+    /// Inertia of each pair out of the plane over that in it, row by row.
+    pub fn rise(&self) -> Vec<f64> {
+        let Places { rows, columns, .. } = self.state.places;
+        let pairs = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        pairs.map(|(row, column)| self.rise_at(self.state.at(row, column))).collect()
+    }
+
+    fn rise_at(&self, place: usize) -> f64 {
+        self.rise.as_ref().map_or(inertia::OUT_OF_PLANE, |rise| rise.at(place))
     }
 
     fn node(&self, end: usize, at: usize) -> [f64; 3] {
@@ -216,7 +237,8 @@ impl<R: Kernel> Stepper for Fast<R> {
             let modes = &self.modes[row * columns..(row + 1) * columns];
             for (column, modes) in modes.iter().enumerate() {
                 let at = |planes: &[&[R]; 3]| planes.map(|plane| plane[column].wide());
-                energy += modes.kinetic(at(&bottom), at(&top));
+                let rise = self.rise_at(first + column);
+                energy += modes.kinetic(at(&bottom), at(&top), rise);
             }
         }
         energy / state.domes() as f64
@@ -314,6 +336,13 @@ impl<R: Kernel> Stepper for Fast<R> {
         }
         let most = most.into_iter().fold(0.0, f64::max);
         most / self.scene.lattice.twist_length() / rupture.wide()
+    }
+
+    fn follow(&mut self) -> f64 {
+        let near = self.scene.dome.reach() + reach::MARGIN;
+        let utilisation = self.utilisation();
+        let Some(rise) = &mut self.rise else { return 0.0 };
+        rise.follow(&mut self.state, &self.modes, utilisation, near) / self.state.domes() as f64
     }
 
     fn damping_loss(&self) -> Option<f64> {

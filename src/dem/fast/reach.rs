@@ -14,7 +14,7 @@ use super::state::NetState;
 /// Steps between two searches at most.
 const SEARCH: usize = 32;
 /// Margin of the search, m.
-const MARGIN: f64 = 0.04;
+pub(super) const MARGIN: f64 = 0.04;
 /// Speed that a node may gain until the next search, over its present one.
 const GAIN: f64 = 2.0;
 
@@ -178,8 +178,13 @@ mod tests {
 
     fn fast(scene: &Scene) -> Fast<f64> {
         let factors = Controls::default().scheme(scene).unwrap().factors;
-        let options =
-            FastOptions { factors, damping: 0.002, true_unloading: false, path: Path::best() };
+        let options = FastOptions {
+            factors,
+            damping: 0.002,
+            true_unloading: false,
+            fitted: false,
+            path: Path::best(),
+        };
         Fast::new(scene, options)
     }
 

@@ -135,8 +135,8 @@ pub struct NetState<R: Copy> {
     pub(super) velocity: [Three<R>; 2],
     /// Inverse inertia, m/N: own terms of bottom and top, cross term.
     pub(super) inertia: [Plane<R>; 3],
-    /// Factors out of the plane, over the ones in it.
-    pub(super) out_of_plane: R,
+    /// Inverse inertia out of the plane over that in it.
+    pub(super) rise: Plane<R>,
     /// Largest strain so far of twists, left and right wires.
     pub(super) top: [Plane<R>; 3],
     /// 1/l1 and ramp slope of each bond, by role; empty where all bonds of a kind are alike.
@@ -219,7 +219,7 @@ impl<R: Real> NetState<R> {
             moved: [three(), three()],
             velocity: [three(), three()],
             inertia: three(),
-            out_of_plane: R::new(1.0 / super::super::inertia::OUT_OF_PLANE),
+            rise: Plane::new(R::new(1.0 / super::super::inertia::OUT_OF_PLANE), size),
             top: std::array::from_fn(|_| Plane::new(R::new(MISSING), size)),
             own: std::array::from_fn(|_| [plane_of_own(), plane_of_own()]),
             uniform,
