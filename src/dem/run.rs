@@ -48,6 +48,8 @@ const FIT: (f64, f64) = (0.022, 0.002);
 const SLIP: (f64, f64) = (0.03, 0.2);
 /// Punch travel between two fits of the inertia to the net's slopes, m: with twice that some random nets shake.
 const FOLLOW: f64 = 0.004;
+/// Utilisation below which the punch had no hold that it could have lost.
+const HELD: f64 = 0.1;
 /// Punch travel between two looks at the utilisation, m.
 const LOOK: f64 = 0.006;
 /// Largest imbalance (see [`super::account`]) of a run whose punch slipped through: the net snaps back
@@ -429,6 +431,10 @@ impl<'a> Run<'a> {
         let peak = self.peak().force;
         // Below a quarter of one wire's strength there was no hold yet that could have been lost.
         if peak < 0.25 * self.scene.law.single.force.last().copied().unwrap_or(0.0) {
+            return false;
+        }
+        // Nor while all wires are slack: a flat block throws the net up, with a force of inertia alone.
+        if self.quality.last_utilisation < HELD {
             return false;
         }
         let lately =
