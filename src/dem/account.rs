@@ -8,13 +8,18 @@ use super::stepper::Energies;
 
 /// Punch travel between two looks at the kinetic energy, m.
 const ACCOUNT: f64 = 0.02;
-/// Steps between two looks at the kinetic energy at most: damping takes a third of it by then.
-const SAMPLE: usize = 64;
+/// Steps between two looks at the kinetic energy at most, and the part of the velocities that damping takes by then:
+/// a third of the energy.
+const SAMPLE: (usize, f64) = (64, 0.192);
 /// Accounts of all energies: punch travel between two, m.
 const BALANCE: f64 = 0.1;
 /// Largest energy out of nowhere of a net at rest before a run counts as diverged, over the work of
 /// the punch: nearly all sound runs of random scenes stay below 0.005.
 pub(super) const IMBALANCE: f64 = 0.02;
+
+/// Energy, J, that may be missing whatever the work: of a slack net whose nodes hop about under a small block damping takes
+/// most, and what that is is known to a tenth. A run that shakes has more within some steps.
+const HOPPING: f64 = 5.0;
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Account {
@@ -27,6 +32,8 @@ pub(super) struct Account {
     /// Kinetic energy when last taken, J, and the steps since.
     kinetic: f64,
     since: usize,
+    /// Steps after which it is taken again at the latest.
+    sample: usize,
     /// Punch travel since then, and since all energies were taken, m.
     travelled: f64,
     balanced: f64,
@@ -35,14 +42,17 @@ pub(super) struct Account {
 }
 
 impl Account {
-    /// The account of a net at rest.
-    pub(super) fn new() -> Account {
+    /// The account of a net at rest, whose velocities lose the part `damping` in a step.
+    pub(super) fn new(damping: f64) -> Account {
+        let (most, lost) = SAMPLE;
+        let sample = (lost / damping.max(lost / most as f64)).round() as usize;
         Account {
             work: 0.0,
             added: 0.0,
             damped: Some(0.0),
             kinetic: 0.0,
             since: 0,
+            sample: sample.max(1),
             travelled: 0.0,
             balanced: 0.0,
             over_work: 0.0,
@@ -58,7 +68,7 @@ impl Account {
     pub(super) fn due(&mut self, steps: usize, travel: f64) -> bool {
         self.since += steps;
         self.travelled += travel * steps as f64;
-        if self.travelled < ACCOUNT && self.since < SAMPLE {
+        if self.travelled < ACCOUNT && self.since < self.sample {
             return false;
         }
         self.balanced += self.travelled;
@@ -110,9 +120,9 @@ impl Account {
         IMBALANCE + 0.5 * self.over_work
     }
 
-    /// Whether an imbalance is more than that, and more than a joule.
+    /// Whether an imbalance is more than that, and more than [`HOPPING`].
     pub(super) fn unbalanced(&self, imbalance: f64) -> bool {
-        imbalance.abs() * self.work > self.unexplained() * self.work + 1.0
+        imbalance.abs() * self.work > self.unexplained() * self.work + HOPPING
     }
 
     /// Work of the punch so far, J.
@@ -132,7 +142,7 @@ mod tests {
 
     /// 100 N over half a metre, with 2 J of motion at both looks.
     fn account(loss: Option<f64>) -> Account {
-        let mut account = Account::new();
+        let mut account = Account::new(0.0);
         for _ in 0..2 {
             account.push(100.0, 0.25 / 64.0, 64);
             assert!(account.due(64, 0.25 / 64.0));
@@ -148,13 +158,21 @@ mod tests {
         let energies = |bonds: f64| Energies { kinetic: 2.0, bonds, contact: 4.0 };
         let missing = a.imbalance(&energies(40.0)).unwrap();
         assert!((missing - (50.0 - 47.92) / 50.0).abs() < 1e-12, "{missing}");
-        // Believed are 2 % and half of 2 J in 50 J, and a joule: 3 J.
+        // Believed are 2 % and half of 2 J in 50 J, and five joules: 7 J.
         assert!(!a.unbalanced(missing));
-        assert!(a.unbalanced(a.imbalance(&energies(38.9)).unwrap()));
-        assert!(a.unbalanced(a.imbalance(&energies(45.3)).unwrap()), "energy out of nowhere");
+        assert!(!a.unbalanced(a.imbalance(&energies(35.2)).unwrap()));
+        assert!(a.unbalanced(a.imbalance(&energies(34.9)).unwrap()));
+        assert!(a.unbalanced(a.imbalance(&energies(49.3)).unwrap()), "energy out of nowhere");
         assert!(!a.ran_away());
         assert!(a.balance_due() && !a.balance_due(), "half a metre, and nothing since");
         a.sample(50.2, Some(0.01));
+        assert!(a.ran_away());
+        // Three joules came with a change of the inertia.
+        a.add(3.0);
+        assert!(!a.ran_away());
+        let with = a.imbalance(&energies(40.0)).unwrap();
+        assert!((with - (53.0 - 46.0 - 1.92) / 50.0).abs() < 1e-12, "{with}");
+        a.sample(53.2, Some(0.01));
         assert!(a.ran_away());
         a.sample(f64::NAN, Some(0.01));
         assert!(a.ran_away());
@@ -168,10 +186,13 @@ mod tests {
     }
 
     #[test]
-    fn the_kinetic_energy_is_taken_after_two_centimetres_or_64_steps() {
-        let mut a = Account::new();
+    fn the_kinetic_energy_is_taken_after_two_centimetres_or_a_third_lost() {
+        let mut a = Account::new(0.0);
         assert!(!a.due(40, 4.0e-4) && a.due(20, 4.0e-4), "16 mm and 24 mm");
-        let mut a = Account::new();
+        let mut a = Account::new(0.0);
         assert!(!a.due(60, 1.0e-5) && a.due(4, 1.0e-5));
+        // Twice the damping that takes a third of it in 64 steps.
+        let mut a = Account::new(0.006);
+        assert!(!a.due(31, 1.0e-5) && a.due(1, 1.0e-5));
     }
 }

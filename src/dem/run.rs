@@ -218,7 +218,7 @@ impl<'a> Run<'a> {
             first_break: None,
             steps: 0,
             steps_to_break: 0,
-            energy: Account::new(),
+            energy: Account::new(scheme.damping),
             quality: Quality::default(),
             net: None,
         }

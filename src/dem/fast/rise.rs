@@ -181,3 +181,92 @@ fn larger<R: Real>(a: R, b: R) -> R {
 fn smaller<R: Real>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Fast, FastOptions, Path};
+    use super::*;
+    use crate::dem::inertia::{CONTACT, FLOOR, SLOPE, StepFactors};
+    use crate::dem::stepper::Stepper;
+    use crate::dem::{Arrangement, PLAIN_PHASE, Scene, SceneSpec, Test};
+    use crate::layout::{Layout, REFERENCE};
+    use crate::mesh::laws;
+
+    fn fast(fitted: bool) -> Fast<f32> {
+        let spec = SceneSpec {
+            layout: Layout { plate: 0.25, spacing: 1.6, punch: 0.5, ..REFERENCE },
+            test: Test::Anchored,
+            wire: laws::bench(),
+            phase: PLAIN_PHASE,
+            seed: 0,
+            arrangement: Arrangement::default(),
+        };
+        let factors = StepFactors { translation: 1.1, stretching: 0.65 };
+        let path = Path::best();
+        let options = FastOptions { factors, damping: 0.002, true_unloading: false, fitted, path };
+        Fast::new(&Scene::new(&spec).unwrap(), options)
+    }
+
+    /// The inertia of a pair, by its row and column.
+    fn at(fast: &Fast<f32>, row: usize, column: usize) -> f64 {
+        fast.rise()[row * fast.state.places.columns + column]
+    }
+
+    #[test]
+    fn the_inertia_follows_the_steepest_bond_worked_by_hand() {
+        let mut fast = fast(true);
+        assert_eq!(at(&fast, 5, 0), inertia::OUT_OF_PLANE);
+        assert_eq!(fast.follow(), 0.0, "a net at rest");
+        assert!((at(&fast, 5, 0) - FLOOR).abs() < 1e-6);
+        // Of a flat net under the dome: what contact needs as well.
+        let Places { columns, rows, .. } = fast.state.places;
+        let scene = fast.scene.clone();
+        let middle = (0..rows * columns)
+            .min_by(|a, b| {
+                let apart = |k: &usize| {
+                    let [x, y] = scene.from_axis(scene.lattice.bottom(k / columns, k % columns));
+                    x.hypot(y)
+                };
+                apart(a).total_cmp(&apart(b))
+            })
+            .unwrap();
+        assert!(fast.rise()[middle] > FLOOR + 0.5 / CONTACT);
+        // A bottom of the first row 12 mm up: its twist and the two wires that reach it from the row below, which is
+        // the last one, across the edge of the periodic net.
+        let (twist, wire) = (scene.lattice.twist_length(), scene.lattice.wire_length());
+        fast.state.put(0, 0, 0, [0.0, 0.0, 0.012]);
+        fast.follow();
+        let steep = |length: f64| SLOPE * (0.012 / length).powi(2) + FLOOR;
+        assert!(twist < wire);
+        assert!((at(&fast, 0, 0) - steep(twist)).abs() < 1e-6, "{}", at(&fast, 0, 0));
+        // Odd rows stand half an opening to the right: the last column ends in the first one.
+        for column in [0, columns - 1] {
+            let found = at(&fast, rows - 1, column);
+            assert!((found - steep(wire)).abs() < 1e-6, "{column}: {found}");
+        }
+        assert!((at(&fast, 1, 0) - FLOOR).abs() < 1e-6, "its tops are flat");
+        assert!((at(&fast, rows - 1, 3) - FLOOR).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_a_change_adds_is_the_kinetic_energy_that_comes() {
+        let mut fast = fast(true);
+        fast.follow();
+        let place = fast.state.at(3, 4);
+        fast.state.velocity[0][2][place] = 1.0e-3;
+        fast.state.velocity[1][0][place] = 2.0e-3;
+        let before = fast.kinetic();
+        fast.state.put(0, 3, 4, [0.0, 0.0, 0.02]);
+        let added = fast.follow();
+        assert!(added > 0.0);
+        assert!((fast.kinetic() - before - added).abs() < 1e-9 * before, "{added}");
+    }
+
+    #[test]
+    fn an_inertia_that_is_not_fitted_stays() {
+        let mut fast = fast(false);
+        fast.state.put(0, 0, 0, [0.0, 0.0, 0.012]);
+        assert_eq!(fast.follow(), 0.0);
+        assert!(fast.rise().iter().all(|rise| *rise == inertia::OUT_OF_PLANE));
+    }
+}
