@@ -12,7 +12,7 @@
 //!    then the punch moves on. This is the definition of a step.
 //! 4. The [`fast`] solver does the same in vectors, with the shortcuts that its documentation lists.
 //! 5. [`run`]: drives either of them (as a [`stepper::Stepper`]) window by window to a stated end, and
-//!    makes the [`outcome`]; [`account`] keeps its energies. [`fidelity`] says how fast.
+//!    makes the [`outcome`]; [`account`] keeps its energies. [`fidelity`] and [`pace`] say how fast.
 //!    [`bifurcation`] tells when one run means nothing.
 //! 6. [`tensile`]: the other test of a net, without a punch: pulled in its plane until a bond breaks.
 //!
@@ -51,6 +51,7 @@ pub mod lattice;
 pub mod law;
 mod limits;
 pub(crate) mod outcome;
+mod pace;
 pub mod plain;
 pub mod run;
 pub(crate) mod scene;

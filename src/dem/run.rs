@@ -11,9 +11,7 @@
 //!   the last two millimetres are left out because the support already feels the failing bond.
 //! - *Inertia*: out of the plane fitted to the net's slopes every few millimetres where the scheme says so; the
 //!   kinetic energy that this adds goes into the account.
-//! - *Speed*: the punch slows down as the largest utilisation (strain over strain at rupture) grows, for the
-//!   net is at its slowest where the break is near: from 0.5 to 1 to 0.4 of its speed, where the inertia is
-//!   fitted from 0.1 to 1 to 0.25.
+//! - *Speed*: the punch slows down as the break comes near ([`super::pace`]).
 //! - *Silent failure*: an unstable step does not blow up, it shakes one bond until that breaks, early
 //!   and with a plausible force. Strains grow slowly in a true run: a few millimetres before a break some
 //!   bond is nearly there. Where none was, or a twist shook (see [`RunOutcome::sudden`]), the run is
@@ -27,6 +25,7 @@ use super::fast::{Fast, FastOptions, Path};
 use super::fidelity::{Controls, Scheme};
 use super::lattice::{Role, bond_of};
 use super::outcome::{AnchorForce, Break, Cost, Net, Quality, RunOutcome, Stop};
+use super::pace;
 use super::scene::{Scene, SceneSpec, Test};
 use super::stepper::{StepBlock, Stepper};
 use crate::curve::{Curve, Point};
@@ -46,8 +45,6 @@ pub(crate) const PUNCH_WEIGHT: f64 = 0.25;
 const FIT: (f64, f64) = (0.022, 0.002);
 /// Punch travel without force after which the punch has slipped, m, and what counts as none.
 const SLIP: (f64, f64) = (0.03, 0.2);
-/// Punch travel between two fits of the inertia to the net's slopes, m: with twice that some random nets shake.
-const FOLLOW: f64 = 0.004;
 /// Utilisation below which the punch had no hold that it could have lost.
 const HELD: f64 = 0.1;
 /// Punch travel between two looks at the utilisation, m.
@@ -229,7 +226,7 @@ impl<'a> Run<'a> {
         solver: &mut dyn Stepper,
         progress: &mut dyn FnMut(RunProgress) -> Flow,
     ) -> RunOutcome {
-        let (mut utilisation, mut looked, mut followed) = (0.0, 0.0, -FOLLOW);
+        let (mut utilisation, mut looked, mut followed) = (0.0, 0.0, -pace::FOLLOW);
         let stop = loop {
             let travelled = solver.deflection() - looked;
             if travelled > LOOK {
@@ -238,13 +235,13 @@ impl<'a> Run<'a> {
                     self.quality.last_utilisation = utilisation;
                 }
             }
-            if self.scheme.fitted && solver.deflection() - followed >= FOLLOW {
+            if self.scheme.fitted && solver.deflection() - followed >= pace::FOLLOW {
                 followed = solver.deflection();
                 self.energy.add(solver.follow());
             }
             let pace = match self.first_break {
                 Some(_) => 1.0,
-                None => pace(utilisation, self.scheme.fitted),
+                None => pace::before_break(utilisation, self.scheme.fitted),
             };
             let travel = self.scheme.travel * pace;
             if let Some(stop) = self.window(solver, travel, utilisation) {
@@ -541,15 +538,6 @@ fn add(mean: &mut Vec<[f64; 3]>, block: Vec<[f64; 3]>, blocks: usize) {
     for (mean, force) in mean.iter_mut().flatten().zip(block.iter().flatten()) {
         *mean += force / blocks as f64;
     }
-}
-
-/// Part of the speed that the punch has at a utilisation, where the inertia is fitted or not.
-fn pace(utilisation: f64, fitted: bool) -> f64 {
-    // Where curve errors of the slack net are small without, the way before the break is what needs time: straight
-    // from a tenth on, or from a half.
-    let ([begin, fall], end) =
-        if fitted { ([13.0 / 12.0, 5.0 / 6.0], 0.25) } else { ([1.6, 1.2], 0.4) };
-    (begin - fall * utilisation).clamp(end, 1.0)
 }
 
 /// The reported force of a point.

@@ -9,10 +9,12 @@
 //! - *Contact under the dome alone*, in blocks of places found anew every few steps with a margin.
 //!   The search comes earlier where a node is fast enough to cross the margin by then (see [`reach`]);
 //!   one that crossed it all the same was pushed by nothing, and the run counts as diverged.
+//! - *Inertia out of the plane fitted* to the net's slopes, where the scheme asks for it (see [`rise`]).
 //! - *No periodic images* where the net ends, *no values of single bonds* where all are alike.
 //!
-//! Files: [`state`] the planes, [`places`] where the pairs stand in them, [`force`] what acts on them, [`reach`] the search, [`kernel`] one step, [`lanes`] the vectors,
-//! [`path`] which of them the processor has, this one the driver.
+//! Files: [`state`] the planes, [`places`] where the pairs stand in them, [`force`] what acts on them, [`reach`] the
+//! search, [`kernel`] one step, [`rise`] the fits of the inertia, [`lanes`] the vectors, [`path`] which of them the
+//! processor has, this one the driver.
 //!
 //! Nothing outside can make it read past a plane or run an instruction that the processor lacks:
 //! [`NetState`] has private fields and one constructor, which sizes every plane, and a [`Path`] is had
