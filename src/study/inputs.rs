@@ -68,7 +68,7 @@ pub(crate) fn of_ensemble(spec: &SceneSpec, controls: &Controls, plan: &Plan) ->
 const SINGLE: u32 = 2;
 
 /// How members are made where the ensemble chooses, see [`super::paired`]. Raise it with what changes these alone.
-const AUTO: u32 = 4;
+const AUTO: u32 = 5;
 
 /// What blocks are taken for where nothing else is said.
 const REPEATED: &str = "repeated";
