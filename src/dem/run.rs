@@ -240,7 +240,7 @@ impl<'a> Run<'a> {
                 self.energy.add(solver.follow());
             }
             let pace = match self.first_break {
-                Some(_) => 1.0,
+                Some(_) => pace::behind_break(self.scheme.fitted),
                 None => pace::before_break(utilisation, self.scheme.fitted),
             };
             let travel = self.scheme.travel * pace;
