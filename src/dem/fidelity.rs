@@ -168,7 +168,7 @@ impl Controls {
             (Fidelity::Quick, true, Test::Anchored) => (0.004, 6.0e-4),
             (Fidelity::Quick, false, _) => (0.003, 4.0e-4),
             (Fidelity::Standard, true, Test::Laboratory) => (0.005, 4.5e-4),
-            (Fidelity::Standard, true, Test::Anchored) => (0.003, 4.0e-4),
+            (Fidelity::Standard, true, Test::Anchored) => (0.003, 3.6e-4),
             (Fidelity::Standard, false, _) => (0.002, 1.95e-4),
             (Fidelity::Fine, true, Test::Laboratory) => (0.004, 1.25e-4),
             (Fidelity::Fine, true, Test::Anchored) => (0.002, 1.0e-4),
